@@ -1,0 +1,2 @@
+//! The program `pairtrawl`.
+fn main() {}

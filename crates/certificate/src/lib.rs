@@ -1,0 +1,1 @@
+//! Exact, continuous proof that a plan holds every claim.

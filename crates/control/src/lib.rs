@@ -1,0 +1,1 @@
+//! Controllers for one robot of the pair, no_std.

@@ -1,0 +1,1 @@
+//! Generator of scenes that are solvable by construction.

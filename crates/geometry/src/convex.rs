@@ -1,0 +1,15 @@
+use crate::Point;
+
+/// A convex region: a piece of an obstacle.
+#[derive(Clone, Debug, PartialEq)]
+pub enum Convex {
+    /// Vertices counter-clockwise, at least three, no three collinear.
+    Polygon(Vec<Point>),
+    /// A disc.
+    Circle {
+        /// Its centre.
+        center: Point,
+        /// Its radius, m.
+        radius: f64,
+    },
+}

@@ -1,0 +1,19 @@
+//! The vocabulary of Pairtrawl: types only. How they are read from and written to files is elsewhere.
+//!
+//! SI units and radians; map frame of REP-103. `left` and `right` are as seen by someone who walks with the duo.
+
+mod certificate;
+mod cost;
+mod parameters;
+mod physics;
+mod plan;
+mod scene;
+mod trajectory;
+
+pub use certificate::{Certificate, Claim};
+pub use cost::Cost;
+pub use parameters::PlannerParameters;
+pub use physics::PhysicsParameters;
+pub use plan::{Circle, Overrides, Plan, Rehearsal, SceneReference, SolverReport, SolverStatus};
+pub use scene::{Area, Footprint, NetSpec, Object, Obstacle, OccupancyMap, PairPose, Robot, Scene};
+pub use trajectory::{PairTrajectory, default_step_time};

@@ -1,0 +1,107 @@
+use crate::{Certificate, Cost, PairTrajectory};
+use pairtrawl_geometry::{Point, Pose};
+
+/// A planned run and how it came about.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Plan {
+    /// d_max, m.
+    pub net_length: f64,
+    /// What the robots drive.
+    pub trajectory: PairTrajectory,
+    /// Which scene it is for.
+    pub scene: SceneReference,
+    /// What was changed against the scene.
+    pub overrides: Overrides,
+    /// The pair's centerline.
+    pub centerline: Vec<Pose>,
+    /// The baseline pair that the optimisation started from.
+    pub baseline: PairTrajectory,
+    /// Merged object circles, as used for order, centerline and baseline.
+    pub circles: Vec<Circle>,
+    /// Visiting order: indices into `circles`.
+    pub order: Vec<usize>,
+    /// The paper's J.
+    pub cost: Cost,
+    /// The proof.
+    pub certificate: Certificate,
+    /// What the physics said.
+    pub rehearsal: Rehearsal,
+    /// What the optimiser said.
+    pub solver: SolverReport,
+    /// Warnings for people: margins that shrank, thresholds, fallbacks.
+    pub warnings: Vec<String>,
+}
+
+/// Which scene a plan is for.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub struct SceneReference {
+    /// The scene's name.
+    pub name: String,
+    /// Hexadecimal SHA-256 of the scene file, then the map YAML, then the image.
+    pub sha256: String,
+}
+
+/// What the command line changed against the scene.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub struct Overrides {
+    /// `Some(Some(L))`: `--net-length L`; `Some(None)`: `--net-length auto`; `None`: as in the scene.
+    pub net_length: Option<Option<f64>>,
+}
+
+/// A circle around one object or several close ones.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Circle {
+    /// Its centre, m.
+    pub center: Point,
+    /// r_o: its radius, margin included, m.
+    pub radius: f64,
+    /// Indices of the scene's objects inside.
+    pub objects: Vec<usize>,
+}
+
+/// The verdict of the rehearsal. Never a proof.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub enum Rehearsal {
+    /// Everything came home and nothing was touched.
+    Passed,
+    /// What went wrong first.
+    Failed {
+        /// The first event, for people.
+        event: String,
+        /// When, s.
+        time: f64,
+        /// Where, m.
+        place: Point,
+    },
+    /// Not rehearsed.
+    #[default]
+    Skipped,
+}
+
+/// How the optimisation ended.
+#[derive(Clone, Debug, PartialEq)]
+pub struct SolverReport {
+    /// Its status.
+    pub status: SolverStatus,
+    /// Interior-point iterations, over all rounds.
+    pub iterations: usize,
+    /// Scaled KKT error of the returned point.
+    pub kkt_error: f64,
+    /// Time spent, s. The only number in a plan that differs between runs.
+    pub seconds: f64,
+}
+
+/// How the optimisation ended.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum SolverStatus {
+    /// Optimality residuals are below the tolerance.
+    Converged,
+    /// Stationary for the violation of the constraints: no better point nearby.
+    LocallyInfeasible,
+    /// The iteration budget ran out.
+    IterationLimit,
+    /// The time limit ran out.
+    TimeLimit,
+    /// The linear algebra broke down.
+    NumericalTrouble,
+}

@@ -1,0 +1,187 @@
+use crate::{PhysicsParameters, PlannerParameters};
+use pairtrawl_geometry::{Point, Pose};
+
+/// Everything that a run is planned from.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Scene {
+    /// A name for people.
+    pub name: String,
+    /// Bounds of robot centres and objects. Not an obstacle: the net may cross it.
+    pub area: Area,
+    /// Obstacles given as shapes.
+    pub obstacles: Vec<Obstacle>,
+    /// Obstacles given as a ROS map, when the scene has one; its outside counts as obstacle.
+    pub map: Option<OccupancyMap>,
+    /// What is to be gathered.
+    pub objects: Vec<Object>,
+    /// Where the pair starts.
+    pub start: PairPose,
+    /// Where the pair ends.
+    pub end: PairPose,
+    /// The robot; both are alike.
+    pub robot: Robot,
+    /// The net.
+    pub net: NetSpec,
+    /// The planner's parameters.
+    pub planner: PlannerParameters,
+    /// Masses and frictions for rehearsal and execution.
+    pub physics: PhysicsParameters,
+}
+
+/// The rectangle of the scene and the cell size of its occupancy grid.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Area {
+    /// Lower left corner, m.
+    pub min: Point,
+    /// Upper right corner, m.
+    pub max: Point,
+    /// Cell size of the occupancy grid, m.
+    pub resolution: f64,
+}
+
+/// A fixed obstacle.
+#[derive(Clone, Debug, PartialEq)]
+pub enum Obstacle {
+    /// Axis-parallel box.
+    Box {
+        /// Lower left corner, m.
+        min: Point,
+        /// Upper right corner, m.
+        max: Point,
+    },
+    /// Simple polygon, in either orientation, at least three vertices, convex or not.
+    Polygon(Vec<Point>),
+    /// Disc.
+    Circle {
+        /// Its centre, m.
+        center: Point,
+        /// Its radius, m.
+        radius: f64,
+    },
+}
+
+/// An occupancy map: square cells on a grid that may be turned against the map frame.
+#[derive(Clone, Debug, PartialEq)]
+pub struct OccupancyMap {
+    /// Pose of the outer corner of cell (column 0, row 0), the lower left one.
+    pub origin: Pose,
+    /// Edge length of a cell, m.
+    pub resolution: f64,
+    /// Cells along the map's x axis.
+    pub columns: usize,
+    /// Cells along the map's y axis.
+    pub rows: usize,
+    /// True where a cell is an obstacle (occupied, or unknown unless the scene says otherwise);
+    /// index `row * columns + column`, row 0 the lowest.
+    pub blocked: Vec<bool>,
+}
+
+impl OccupancyMap {
+    /// True when the cell is an obstacle; every cell outside the map is one.
+    pub fn is_blocked(&self, column: i64, row: i64) -> bool {
+        match (usize::try_from(column), usize::try_from(row)) {
+            (Ok(c), Ok(r)) if c < self.columns && r < self.rows => self.blocked[r * self.columns + c],
+            _ => true,
+        }
+    }
+
+    /// A map-frame point in cell units: the integer parts are column and row.
+    pub fn to_cells(&self, p: Point) -> Point {
+        let (sin, cos) = self.origin.heading.sin_cos();
+        let d = p - self.origin.position();
+        Point::new(cos * d.x + sin * d.y, cos * d.y - sin * d.x) / self.resolution
+    }
+
+    /// The inverse of [`Self::to_cells`].
+    pub fn from_cells(&self, c: Point) -> Point {
+        let (sin, cos) = self.origin.heading.sin_cos();
+        let d = c * self.resolution;
+        self.origin.position() + Point::new(cos * d.x - sin * d.y, sin * d.x + cos * d.y)
+    }
+}
+
+/// Something to be gathered.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Object {
+    /// Its centre, m.
+    pub position: Point,
+    /// Its footprint.
+    pub footprint: Footprint,
+    /// Its mass, kg.
+    pub mass: f64,
+}
+
+/// The outline of an object on the floor.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum Footprint {
+    /// A box of this width and depth, m, axis-parallel at the start.
+    Box(f64, f64),
+    /// A disc of this radius, m.
+    Disc(f64),
+}
+
+impl Object {
+    /// Radius of the smallest circle around the centre that contains the footprint, m.
+    pub fn footprint_radius(&self) -> f64 {
+        match self.footprint {
+            Footprint::Box(w, d) => 0.5 * w.hypot(d),
+            Footprint::Disc(r) => r,
+        }
+    }
+}
+
+/// Poses of both robots at one instant.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct PairPose {
+    /// The left robot.
+    pub left: Pose,
+    /// The right robot.
+    pub right: Pose,
+}
+
+impl PairPose {
+    /// Distance between the axle centres, m.
+    pub fn separation(&self) -> f64 {
+        self.left.position().distance(self.right.position())
+    }
+
+    /// The point half way between the axle centres.
+    pub fn midpoint(&self) -> Point {
+        self.left.position().lerp(self.right.position(), 0.5)
+    }
+
+    /// Direction of travel of a pair that drives abreast: the vector from right to left turned by -90 degrees, rad.
+    pub fn normal_heading(&self) -> f64 {
+        (-(self.left.position() - self.right.position()).perp()).angle()
+    }
+}
+
+/// The robot. The default is the TurtleBot3 Waffle Pi.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Robot {
+    /// Radius of the circle around the axle centre that contains the robot, m.
+    pub radius: f64,
+    /// The net is tied this far behind the axle centre, m.
+    pub hitch: f64,
+    /// Greatest speed of a wheel over the floor, m/s.
+    pub v_max: f64,
+    /// Greatest turning rate, rad/s.
+    pub omega_max: f64,
+    /// Half the distance between the wheels, R, m.
+    pub half_track: f64,
+}
+
+impl Default for Robot {
+    fn default() -> Self {
+        Self { radius: 0.24, hitch: 0.207, v_max: 0.26, omega_max: 1.82, half_track: 0.144 }
+    }
+}
+
+/// The net.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub struct NetSpec {
+    /// d_max, m; `None`: the planner chooses it.
+    pub length: Option<f64>,
+    /// How the net lies at the start, from the left hitch to the right one; `None`: a symmetric U behind the hitches.
+    pub start: Option<Vec<Point>>,
+}

@@ -1,0 +1,1 @@
+//! Plan, prove, rehearse and execute runs of two robots that tow a net.

@@ -1,0 +1,1 @@
+//! Visiting order, centerline and baseline pair.

@@ -1,0 +1,1 @@
+//! Robots, net and objects in planar physics.

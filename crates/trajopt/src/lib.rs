@@ -1,0 +1,1 @@
+//! Joint trajectory optimisation of a robot pair and its net length.

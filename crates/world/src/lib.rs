@@ -1,0 +1,1 @@
+//! Occupancy grid, signed distance field, object circles and ROS maps.
