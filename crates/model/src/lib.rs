@@ -8,6 +8,7 @@ mod parameters;
 mod physics;
 mod plan;
 mod scene;
+mod summary;
 mod trajectory;
 
 pub use certificate::{Certificate, Claim};
@@ -16,4 +17,8 @@ pub use parameters::PlannerParameters;
 pub use physics::PhysicsParameters;
 pub use plan::{Circle, Overrides, Plan, Rehearsal, SceneReference, SolverReport, SolverStatus};
 pub use scene::{Area, Footprint, NetSpec, Object, Obstacle, OccupancyMap, PairPose, Robot, Scene};
+pub use summary::{
+    ClaimSummary, Event, ExecutionSummary, Frames, LengthCurve, LengthPoint, Limit, Line, Panel,
+    Ribbon, Role, Sampling, SceneOutline, StageTime, Summary, TrialSummary,
+};
 pub use trajectory::{PairTrajectory, default_step_time};
