@@ -1,1 +1,11 @@
 //! Plan, prove, rehearse and execute runs of two robots that tow a net.
+
+mod error;
+mod observer;
+mod options;
+
+pub use error::PlanError;
+pub use observer::{Observer, Stage};
+pub use options::{CenterlineMethod, Method, NetLength, OrderMethod, PlanOptions, RehearsalMode};
+pub use pairtrawl_geometry as geometry;
+pub use pairtrawl_model as model;

@@ -1,0 +1,72 @@
+use std::time::Instant;
+
+/// A step of planning, in the order in which they run.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
+pub enum Stage {
+    /// Looking for a proof that there is no plan.
+    Proofs,
+    /// Occupancy grid, distance field, circles.
+    World,
+    /// The order in which the circles are visited.
+    Order,
+    /// The pair's centerline.
+    Centerline,
+    /// The baseline pair.
+    Baseline,
+    /// Trajectories and net length.
+    Optimise,
+    /// The certificate.
+    Certify,
+    /// The rehearsal.
+    Rehearse,
+}
+
+impl Stage {
+    /// Its name in summaries and machine-readable output.
+    pub const fn name(self) -> &'static str {
+        match self {
+            Self::Proofs => "proofs",
+            Self::World => "world",
+            Self::Order => "order",
+            Self::Centerline => "centerline",
+            Self::Baseline => "baseline",
+            Self::Optimise => "optimise",
+            Self::Certify => "certify",
+            Self::Rehearse => "rehearse",
+        }
+    }
+}
+
+/// Watches a planner at work and may stop it. `()` watches nothing.
+pub trait Observer {
+    /// A stage begins; `round` counts from 1 and rises when a failed claim makes the planner try again.
+    fn started(&mut self, _stage: Stage, _round: usize) {}
+
+    /// A stage ended after this many seconds.
+    fn finished(&mut self, _stage: Stage, _seconds: f64) {}
+
+    /// Something that a person may want to know while it runs.
+    fn noted(&mut self, _message: &str) {}
+
+    /// Asked between stages and between rounds: true ends the work with `PlanError::Interrupted`.
+    fn interrupted(&self) -> bool {
+        false
+    }
+}
+
+impl Observer for () {}
+
+/// Runs one stage under the eyes of an observer. The clock is read here and nowhere below this crate.
+pub(crate) fn timed<T>(
+    observer: &mut dyn Observer,
+    stage: Stage,
+    round: usize,
+    work: impl FnOnce() -> T,
+) -> (T, f64) {
+    observer.started(stage, round);
+    let begin = Instant::now();
+    let result = work();
+    let seconds = begin.elapsed().as_secs_f64();
+    observer.finished(stage, seconds);
+    (result, seconds)
+}

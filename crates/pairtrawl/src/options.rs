@@ -1,0 +1,90 @@
+use std::time::Duration;
+
+/// How to plan. The default is what the program does without options.
+#[derive(Clone, Debug, PartialEq)]
+pub struct PlanOptions {
+    /// The net's length instead of the scene's.
+    pub net_length: Option<NetLength>,
+    /// N instead of the scene's or the planner's own choice.
+    pub waypoints: Option<usize>,
+    /// How the visiting order is found.
+    pub order: OrderMethod,
+    /// How the centerline is found.
+    pub centerline: CenterlineMethod,
+    /// How the trajectories are optimised.
+    pub method: Method,
+    /// Seed of whatever is random; today that is the RRT* centerline alone.
+    pub seed: u64,
+    /// Gives up after this time, checked between steps of work.
+    pub time_limit: Option<Duration>,
+    /// Whether the plan is rehearsed in physics.
+    pub rehearsal: RehearsalMode,
+    /// Greatest number of optimisations: the first and those after a failed claim. At least 1.
+    pub rounds: usize,
+    /// Greatest number of plans after the first that are tried when a rehearsal fails.
+    pub rehearsal_rounds: usize,
+}
+
+impl Default for PlanOptions {
+    fn default() -> Self {
+        Self {
+            net_length: None,
+            waypoints: None,
+            order: OrderMethod::Shortest,
+            centerline: CenterlineMethod::HybridAStar,
+            method: Method::Joint,
+            seed: 0,
+            time_limit: None,
+            rehearsal: RehearsalMode::Report,
+            rounds: 6,
+            rehearsal_rounds: 3,
+        }
+    }
+}
+
+/// The net's length when it is not the scene's.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum NetLength {
+    /// The planner chooses it.
+    Auto,
+    /// This one, m.
+    Fixed(f64),
+}
+
+/// How the visiting order is found.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum OrderMethod {
+    /// The order of the objects in the scene; a circle comes when its first object does.
+    Given,
+    /// The shortest open path through all circles.
+    Shortest,
+}
+
+/// How the centerline is found.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum CenterlineMethod {
+    /// Hybrid A*.
+    HybridAStar,
+    /// Informed RRT*.
+    RrtStar,
+}
+
+/// How the trajectories are optimised.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Method {
+    /// Both robots and the net length at once.
+    Joint,
+    /// The paper's Algorithm 1: one robot at a time.
+    Alternating,
+}
+
+/// What a rehearsal decides.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum RehearsalMode {
+    /// There is none.
+    Skip,
+    /// A failed one is reported with the plan.
+    Report,
+    /// Without a passed one there is no plan.
+    Require,
+}
