@@ -7,6 +7,7 @@ mod cost;
 mod parameters;
 mod physics;
 mod plan;
+mod rehearsal;
 mod scene;
 mod summary;
 mod trajectory;
@@ -16,6 +17,7 @@ pub use cost::Cost;
 pub use parameters::PlannerParameters;
 pub use physics::PhysicsParameters;
 pub use plan::{Circle, Overrides, Plan, Rehearsal, SceneReference, SolverReport, SolverStatus};
+pub use rehearsal::{RehearsalEvent, RehearsalEventKind, RehearsalFrame, RehearsalRecord, Side};
 pub use scene::{Area, Footprint, NetSpec, Object, Obstacle, OccupancyMap, PairPose, Robot, Scene};
 pub use summary::{
     ClaimSummary, Event, ExecutionSummary, Frames, LengthCurve, LengthPoint, Limit, Line, Panel,
