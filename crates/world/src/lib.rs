@@ -1,1 +1,112 @@
 //! Occupancy grid, signed distance field, object circles and ROS maps.
+//!
+//! [`World::new`] turns a scene into what the planning stages ask of the space around the robots. The certificate does not
+//! use any of it.
+
+mod bounding_circle;
+mod circles;
+mod distance_transform;
+mod error;
+mod field;
+mod grid;
+mod map_rectangles;
+mod pieces;
+mod polygon;
+mod shape;
+
+pub use bounding_circle::minimum_bounding_circle;
+pub use circles::OPEN_NET_LENGTH;
+pub use error::WorldError;
+pub use field::DistanceField;
+pub use grid::{Cell, OccupancyGrid, grid_size};
+pub use shape::signed_distance;
+
+use pairtrawl_geometry::{Convex, Point};
+use pairtrawl_model::{Circle, Scene};
+
+/// The greatest number of cells of an occupancy grid: 4096 x 4096.
+pub const MAX_CELLS: usize = 1 << 24;
+
+/// The grid goes on this far around the area, m: robots stay inside of the area, their net and their corners need not.
+pub const REACH: f64 = 1.0;
+
+/// What the planner knows about the space of a scene.
+#[derive(Clone, Debug)]
+pub struct World {
+    /// The paper's Map.
+    pub grid: OccupancyGrid,
+    /// Signed distance from obstacles.
+    pub field: DistanceField,
+    /// r_o: one circle per object of the scene, in its order, margin gamma included.
+    pub object_circles: Vec<Circle>,
+    /// Circles of close objects merged; for order, centerline and baseline.
+    pub circles: Vec<Circle>,
+    /// Convex pieces whose union has the boundary of all obstacles and contains no free point; deep inside of a ROS map's
+    /// blocked regions it may have holes.
+    pub pieces: Vec<Convex>,
+}
+
+impl World {
+    /// Builds the world of a scene; `net_length` is d_max in m, `None` while it is open.
+    ///
+    /// # Errors
+    /// When the grid would be too large, a size is not positive, a coordinate is not finite, or a polygon is flat.
+    pub fn new(scene: &Scene, net_length: Option<f64>) -> Result<Self, WorldError> {
+        check(scene, net_length)?;
+        let pieces = pieces::convex_cover(scene)?;
+        let (grid, owners) = OccupancyGrid::new(scene, &pieces)?;
+        let field = DistanceField::new(&grid, &owners, &pieces);
+        Ok(Self {
+            grid,
+            field,
+            object_circles: circles::object_circles(scene),
+            circles: circles::merged_circles(scene, net_length),
+            pieces,
+        })
+    }
+}
+
+fn check(scene: &Scene, net_length: Option<f64>) -> Result<(), WorldError> {
+    if let Some(value) = net_length
+        && !(value.is_finite() && value > 0.0)
+    {
+        return Err(WorldError::NotPositive {
+            name: "the net length",
+            value,
+        });
+    }
+    let corners = [
+        ("the area's lower left corner", scene.area.min),
+        ("the area's upper right corner", scene.area.max),
+    ];
+    for (name, p) in corners {
+        finite(|| name.to_owned(), p)?;
+    }
+    for (i, object) in scene.objects.iter().enumerate() {
+        finite(|| format!("object {i}"), object.position)?;
+    }
+    for (i, obstacle) in scene.obstacles.iter().enumerate() {
+        use pairtrawl_model::Obstacle;
+        let name = || format!("obstacle {i}");
+        match obstacle {
+            Obstacle::Box { min, max } => finite(name, *min).and_then(|()| finite(name, *max))?,
+            Obstacle::Polygon(vertices) => vertices.iter().try_for_each(|v| finite(name, *v))?,
+            Obstacle::Circle { center, radius } => {
+                finite(name, Point::new(center.x + radius, center.y + radius))?
+            }
+        }
+    }
+    Ok(())
+}
+
+fn finite(name: impl Fn() -> String, p: Point) -> Result<(), WorldError> {
+    if p.is_finite() {
+        Ok(())
+    } else {
+        Err(WorldError::NotFinite {
+            name: name(),
+            x: p.x,
+            y: p.y,
+        })
+    }
+}
