@@ -20,6 +20,6 @@ pub fn segments_intersect(a: Point, b: Point, c: Point, d: Point) -> bool {
         };
         return overlap(a.x, b.x, c.x, d.x) && overlap(a.y, b.y, c.y, d.y);
     }
-    let straddles = |s: f64, t: f64| !(s > 0.0 && t > 0.0) && !(s < 0.0 && t < 0.0);
-    straddles(abc, abd) && straddles(cda, cdb)
+    let one_side = |s: f64, t: f64| (s > 0.0 && t > 0.0) || (s < 0.0 && t < 0.0);
+    !one_side(abc, abd) && !one_side(cda, cdb)
 }

@@ -22,6 +22,7 @@ pub struct Claim {
     /// True when it holds at every instant.
     pub holds: bool,
     /// How much room is left where it is tightest, in the claim's own unit; negative when it fails. Bounds hold to 1e-9.
+    /// `INFINITY` where there is nothing to hold the plan against, `NEG_INFINITY` where the input cannot be judged.
     pub margin: f64,
     /// The step or waypoint where it is tightest.
     pub step: Option<usize>,

@@ -1,0 +1,60 @@
+use crate::TOLERANCE;
+use pairtrawl_model::{Claim, Overrides};
+
+/// The claim `scene`: a plan's hash is the scene's. Hexadecimal digits compare without regard to case.
+pub fn scene_claim(expected_sha256: &str, found_sha256: &str) -> Claim {
+    let holds = expected_sha256.eq_ignore_ascii_case(found_sha256);
+    let detail = if holds {
+        String::new()
+    } else {
+        format!(
+            "the plan is for a scene with hash '{found_sha256}', this scene has '{expected_sha256}'"
+        )
+    };
+    Claim {
+        name: "scene",
+        holds,
+        margin: if holds { 0.0 } else { -1.0 },
+        step: None,
+        place: None,
+        detail,
+    }
+}
+
+/// The claim `net_length`: the plan's net is positive, and it is what the command line asked for, or else what the scene
+/// says; an open length (neither, or `auto`) may be anything. The margin is minus the difference, m.
+pub fn net_length_claim(plan: f64, scene: Option<f64>, overrides: &Overrides) -> Claim {
+    let (wanted, source) = match overrides.net_length {
+        Some(length) => (length, "the override"),
+        None => (scene, "the scene"),
+    };
+    let (margin, detail) = match wanted {
+        _ if !(plan.is_finite() && plan > 0.0) => (
+            f64::NEG_INFINITY,
+            format!("the net length {plan} m is not a positive number"),
+        ),
+        Some(length) if (plan - length).abs() <= TOLERANCE => {
+            (-(plan - length).abs(), String::new())
+        }
+        Some(length) => {
+            let margin = if length.is_finite() {
+                -(plan - length).abs()
+            } else {
+                f64::NEG_INFINITY
+            };
+            (
+                margin,
+                format!("the plan's net is {plan} m long, {source} says {length} m"),
+            )
+        }
+        None => (0.0, "left open".to_owned()),
+    };
+    Claim {
+        name: "net_length",
+        holds: margin >= -TOLERANCE,
+        margin,
+        step: None,
+        place: None,
+        detail,
+    }
+}

@@ -1,0 +1,109 @@
+use crate::obstacles::Obstacles;
+use crate::tightest::Tightest;
+use pairtrawl_geometry::{Point, Pose};
+use pairtrawl_model::{PairTrajectory, Scene};
+use std::fmt;
+
+/// Coordinates beyond this are refused, m: above it a double no longer resolves the tolerance of 1e-9 m.
+pub const COORDINATE_LIMIT: f64 = 1e6;
+
+/// What is judged: at least two waypoints per robot, equally many, all finite and within bounds.
+pub(crate) struct Subject<'a> {
+    pub(crate) scene: &'a Scene,
+    pub(crate) net_length: f64,
+    pub(crate) trajectory: &'a PairTrajectory,
+    /// `Err` says what is malformed.
+    pub(crate) obstacles: Result<Obstacles<'a>, String>,
+}
+
+/// One of the two robots.
+#[derive(Clone, Copy)]
+pub(crate) enum Side {
+    Left,
+    Right,
+}
+
+impl fmt::Display for Side {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.write_str(match self {
+            Self::Left => "left robot",
+            Self::Right => "right robot",
+        })
+    }
+}
+
+impl<'a> Subject<'a> {
+    /// Checks what every claim relies on; the error stands for all claims.
+    pub(crate) fn new(
+        scene: &'a Scene,
+        net_length: f64,
+        trajectory: &'a PairTrajectory,
+    ) -> Result<Self, Tightest> {
+        let (left, right) = (&trajectory.left, &trajectory.right);
+        if left.len() != right.len() {
+            let reason = format!(
+                "the trajectories have {} and {} waypoints: they must have equally many",
+                left.len(),
+                right.len()
+            );
+            return Err(Tightest::unusable(None, reason));
+        }
+        if left.len() < 2 {
+            let reason = format!(
+                "the trajectories have {} waypoints: at least 2 are needed",
+                left.len()
+            );
+            return Err(Tightest::unusable(None, reason));
+        }
+        for (side, poses) in [(Side::Left, left), (Side::Right, right)] {
+            if let Some(i) = poses.iter().position(|p| !is_usable(p)) {
+                let Pose { x, y, heading } = poses[i];
+                let reason = format!(
+                    "the {side}'s pose [{x}, {y}, {heading}] at waypoint {i} is not finite and within {COORDINATE_LIMIT:e}"
+                );
+                return Err(Tightest::unusable(Some(i), reason));
+            }
+        }
+        Ok(Self {
+            scene,
+            net_length,
+            trajectory,
+            obstacles: Obstacles::new(scene),
+        })
+    }
+
+    /// Number of steps N - 1.
+    pub(crate) fn steps(&self) -> usize {
+        self.trajectory.len() - 1
+    }
+
+    /// Both robots with their poses.
+    pub(crate) fn robots(&self) -> [(Side, &'a [Pose]); 2] {
+        [
+            (Side::Left, &self.trajectory.left),
+            (Side::Right, &self.trajectory.right),
+        ]
+    }
+
+    /// Each step of each robot: which robot, the index, the poses before and after.
+    pub(crate) fn robot_steps(&self) -> impl Iterator<Item = (Side, usize, Pose, Pose)> + 'a {
+        self.robots().into_iter().flat_map(|(side, poses)| {
+            poses
+                .windows(2)
+                .enumerate()
+                .map(move |(i, w)| (side, i, w[0], w[1]))
+        })
+    }
+
+    /// The positions left[i], left[i + 1], right[i + 1], right[i].
+    pub(crate) fn corners(&self, i: usize) -> [Point; 4] {
+        let (left, right) = (&self.trajectory.left, &self.trajectory.right);
+        [left[i], left[i + 1], right[i + 1], right[i]].map(Pose::position)
+    }
+}
+
+fn is_usable(pose: &Pose) -> bool {
+    [pose.x, pose.y, pose.heading]
+        .iter()
+        .all(|v| v.abs() <= COORDINATE_LIMIT)
+}
