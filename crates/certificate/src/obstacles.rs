@@ -6,7 +6,7 @@ use std::fmt;
 
 /// All obstacles of a scene, ready for distance queries.
 pub(crate) struct Obstacles<'a> {
-    shapes: Vec<Shape>,
+    shapes: Vec<(Shape, &'static str)>,
     map: Option<MapRuns<'a>>,
 }
 
@@ -84,19 +84,15 @@ impl Shape {
             Self::Disc { center, radius } => hull.gap_to_disc(*center, *radius),
         }
     }
-
-    fn kind(&self) -> &'static str {
-        match self {
-            Self::Polygon(_) => "polygon",
-            Self::Disc { .. } => "circle",
-        }
-    }
 }
 
 impl<'a> Obstacles<'a> {
     /// Checks the shapes and the map; the error names the first malformed one.
     pub(crate) fn new(scene: &'a Scene) -> Result<Self, String> {
-        let shape = |(i, obstacle)| Shape::new(obstacle).map_err(|e| format!("obstacle {i}: {e}"));
+        let shape = |(i, obstacle)| match Shape::new(obstacle) {
+            Ok(shape) => Ok((shape, kind(obstacle))),
+            Err(e) => Err(format!("obstacle {i}: {e}")),
+        };
         Ok(Self {
             shapes: scene
                 .obstacles
@@ -112,23 +108,26 @@ impl<'a> Obstacles<'a> {
     pub(crate) fn gap(&self, hull: &Hull, bound: f64) -> Option<(Gap, Part)> {
         let mut bound = bound;
         let mut found = None;
-        for (index, shape) in self.shapes.iter().enumerate() {
+        for (index, (shape, kind)) in self.shapes.iter().enumerate() {
             if shape.bounds().distance(&hull.bounds()) >= bound.max(f64::MIN_POSITIVE) {
                 continue;
             }
             let gap = shape.gap(hull);
             if gap.distance < bound {
                 bound = gap.distance;
-                found = Some((
-                    gap,
-                    Part::Shape {
-                        index,
-                        kind: shape.kind(),
-                    },
-                ));
+                found = Some((gap, Part::Shape { index, kind }));
             }
         }
         let in_map = self.map.as_ref().and_then(|map| map.gap(hull, bound));
         in_map.map(|(gap, part)| (gap, Part::Map(part))).or(found)
+    }
+}
+
+/// The word for an obstacle's shape in the scene file.
+fn kind(obstacle: &Obstacle) -> &'static str {
+    match obstacle {
+        Obstacle::Box { .. } => "box",
+        Obstacle::Polygon(_) => "polygon",
+        Obstacle::Circle { .. } => "circle",
     }
 }
