@@ -12,6 +12,7 @@ mod grid;
 mod map_rectangles;
 mod pieces;
 mod polygon;
+pub mod ros_map;
 mod shape;
 
 pub use bounding_circle::minimum_bounding_circle;
