@@ -16,12 +16,14 @@
 
 mod added;
 mod claims;
+mod clearance;
 mod map_runs;
 mod obstacles;
 mod subject;
 mod tightest;
 
 pub use added::{net_length_claim, scene_claim};
+pub use clearance::Clearance;
 pub use subject::COORDINATE_LIMIT;
 
 use pairtrawl_model::{Certificate, PairTrajectory, Scene};
