@@ -3,9 +3,11 @@
 mod error;
 mod observer;
 mod options;
+mod summary;
 
 pub use error::PlanError;
 pub use observer::{Observer, Stage};
 pub use options::{CenterlineMethod, Method, NetLength, OrderMethod, PlanOptions, RehearsalMode};
 pub use pairtrawl_geometry as geometry;
 pub use pairtrawl_model as model;
+pub use summary::{claim_summaries, summarize};
