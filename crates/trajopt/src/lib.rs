@@ -1,1 +1,36 @@
 //! Joint trajectory optimisation of a robot pair and its net length.
+//!
+//! With poses `p_i = (x, y, phi)` of both robots at `N` waypoints, ends fixed, and the net length `d_max`:
+//!
+//! ```text
+//! minimize    a1 J_s + a2 J_dist + a4 sum_i J_e(d_i, d_max)
+//! subject to  h = 0                      no sideways slip over a step (mid-step heading)
+//!             0 <= s <= Delta L_max      forward, step length
+//!             |delta| <= Delta phi_max   turn
+//!             2 R <= d <= d_max          separation
+//!             |hitch - hitch| <= d_max   net reach
+//!             skew <= max_skew           abreast
+//!             robots and the line between them keep off obstacles and objects, objects on their sides
+//! ```
+//!
+//! An interior point with elastic inequalities solves it; its Newton system is banded, with one dense row for `d_max`.
+
+mod active;
+mod assembly;
+mod constraints;
+mod cost;
+mod costs;
+mod filter;
+mod interior_point;
+mod iterate;
+mod linear;
+mod optimise;
+mod pieces;
+mod problem;
+mod row;
+mod term;
+
+pub use cost::evaluate;
+pub use interior_point::{Residuals, Settings};
+pub use optimise::{ShrunkMargin, Solution, Violation, optimise, optimise_watched};
+pub use problem::{Problem, Reserve};

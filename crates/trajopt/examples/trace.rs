@@ -1,0 +1,64 @@
+//! Solves generated scenes from their own witness and prints the trace: `trace DIFFICULTY SEED N [auto]`.
+
+use pairtrawl_generate::{Kind, generate};
+use pairtrawl_trajopt::{Problem, Settings, evaluate, optimise_watched};
+use pairtrawl_world::World;
+
+fn main() {
+    let args: Vec<String> = std::env::args().collect();
+    let number =
+        |i: usize, default: u64| args.get(i).and_then(|a| a.parse().ok()).unwrap_or(default);
+    let generated = generate(
+        Kind::Witness,
+        number(1, 3) as u8,
+        number(2, 1),
+        number(3, 200) as usize,
+    )
+    .expect("a generated scene");
+    let scene = &generated.scene;
+    let free = args.iter().any(|a| a == "auto");
+    let net_length = (!free).then_some(generated.net_length);
+    let world = World::new(scene, net_length).expect("a world");
+    let problem = Problem::new(scene, net_length, &world.pieces);
+    let clock = std::time::Instant::now();
+    let solution = optimise_watched(
+        &problem,
+        &generated.witness,
+        &Settings::default(),
+        &mut |iteration, r| {
+            println!(
+                "{iteration:4} dual {:9.2e} primal {:9.2e} compl {:9.2e} gap {:9.2e}",
+                r.dual, r.primal, r.complementarity, r.gap
+            );
+            true
+        },
+    );
+    let seconds = clock.elapsed().as_secs_f64();
+    println!(
+        "{:?} after {} in {:.1} ms, net {:.3}",
+        solution.status,
+        solution.iterations,
+        1e3 * seconds,
+        solution.net_length
+    );
+    println!(
+        "start {:?}",
+        evaluate(scene, &generated.witness, generated.net_length)
+    );
+    println!(
+        "end   {:?}",
+        evaluate(scene, &solution.trajectory, solution.net_length)
+    );
+    for v in solution.violations.iter().take(5) {
+        println!("{v:?}");
+    }
+    println!("{:?}", solution.shrunk_margins);
+    let certificate =
+        pairtrawl_certificate::certify(scene, solution.net_length, &solution.trajectory);
+    for claim in &certificate.claims {
+        println!(
+            "{:26} {:5} {:10.6} {:?} {}",
+            claim.name, claim.holds, claim.margin, claim.step, claim.detail
+        );
+    }
+}

@@ -1,0 +1,45 @@
+use crate::term::{Jet, PAIR, Term};
+
+/// Robots drive abreast: the angle between a heading and the normal of the line between the robots (the vector from right
+/// to left turned by -90 degrees, `n = (ry, -rx)/d`) stays within `max_skew`: `n . u(phi) - cos(max_skew) >= 0`.
+pub struct Abreast {
+    /// cos(max_skew).
+    pub cos_max_skew: f64,
+    /// Which heading: 2 (left) or 3 (right) in the local coordinates of the pair.
+    pub heading: usize,
+}
+
+impl Term<PAIR> for Abreast {
+    fn value(&self, z: &[f64; PAIR]) -> f64 {
+        let [rx, ry, ..] = *z;
+        let phi = z[self.heading];
+        (ry * phi.cos() - rx * phi.sin()) / rx.hypot(ry) - self.cos_max_skew
+    }
+
+    fn jet(&self, z: &[f64; PAIR]) -> Jet<PAIR> {
+        // With beta the angle of r, the constraint is sin(beta - phi) - cos(max_skew).
+        let [rx, ry, ..] = *z;
+        let k = self.heading;
+        let (sin, cos) = z[k].sin_cos();
+        let d2 = rx * rx + ry * ry;
+        let d = d2.sqrt();
+        let s = (ry * cos - rx * sin) / d;
+        let c = (rx * cos + ry * sin) / d;
+        let b = [-ry / d2, rx / d2];
+        let bend = [
+            [2.0 * rx * ry / (d2 * d2), (ry * ry - rx * rx) / (d2 * d2)],
+            [(ry * ry - rx * rx) / (d2 * d2), -2.0 * rx * ry / (d2 * d2)],
+        ];
+        let mut jet = Jet::constant(s - self.cos_max_skew);
+        for i in 0..2 {
+            jet.gradient[i] = c * b[i];
+            for j in 0..2 {
+                jet.hessian[i][j] = -s * b[i] * b[j] + c * bend[i][j];
+            }
+            jet.set_mixed(i, k, s * b[i]);
+        }
+        jet.gradient[k] = -c;
+        jet.hessian[k][k] = -s;
+        jet
+    }
+}

@@ -1,0 +1,56 @@
+use crate::interior_point::Merit;
+
+/// The filter of a line search: pairs of violation and barrier function that no later iterate may be worse than in both.
+#[derive(Clone, Debug, Default)]
+pub(crate) struct Filter {
+    entries: Vec<(f64, f64)>,
+    least: f64,
+    most: f64,
+}
+
+const VIOLATION_DECREASE: f64 = 1e-5;
+const BARRIER_DECREASE: f64 = 1e-5;
+const ARMIJO: f64 = 1e-4;
+
+impl Filter {
+    pub fn clear(&mut self) {
+        self.entries.clear();
+        self.most = 0.0;
+    }
+
+    /// Whether a trial point is accepted; an accepted step that is not justified by the barrier function alone adds the
+    /// point that it left to the filter.
+    pub fn accepts(&mut self, from: Merit, to: Merit, alpha: f64, slope: f64) -> bool {
+        if self.most == 0.0 {
+            self.least = 1e-4 * from.theta.max(1.0);
+            self.most = 1e4 * from.theta.max(1.0);
+        }
+        if !to.phi.is_finite() || to.theta > self.most {
+            return false;
+        }
+        // Rounding of sums over thousands of rows.
+        let noise = 1e-13 * from.phi.abs();
+        if self
+            .entries
+            .iter()
+            .any(|&(theta, phi)| to.theta >= theta && to.phi >= phi)
+        {
+            return false;
+        }
+        let switching = slope < 0.0
+            && from.theta <= self.least
+            && alpha * (-slope).powf(2.3) > from.theta.powf(1.1);
+        if switching {
+            return to.phi <= from.phi + ARMIJO * alpha * slope + noise;
+        }
+        let accepted = to.theta <= (1.0 - VIOLATION_DECREASE) * from.theta
+            || to.phi <= from.phi - BARRIER_DECREASE * from.theta + noise;
+        if accepted {
+            self.entries.push((
+                (1.0 - VIOLATION_DECREASE) * from.theta,
+                from.phi - BARRIER_DECREASE * from.theta,
+            ));
+        }
+        accepted
+    }
+}

@@ -1,0 +1,106 @@
+/// Scalar half-bandwidth: six pose variables a stage, second differences couple like coordinates two stages apart.
+pub const HALF_BANDWIDTH: usize = 12;
+const COLUMN: usize = HALF_BANDWIDTH + 1;
+
+/// A symmetric matrix of half-bandwidth 12, its lower triangle by columns; factorized in place as `L D L^T`.
+#[derive(Clone, Debug, Default)]
+pub struct BandMatrix {
+    /// `columns[j][k]` is entry `(j + k, j)`.
+    columns: Vec<[f64; COLUMN]>,
+}
+
+impl BandMatrix {
+    /// Sets the order and zeroes every entry; allocates only when the order grows.
+    pub fn reset(&mut self, order: usize) {
+        self.columns.clear();
+        self.columns.resize(order, [0.0; COLUMN]);
+    }
+
+    /// The order of the matrix.
+    pub fn order(&self) -> usize {
+        self.columns.len()
+    }
+
+    /// Adds to entry `(row, column)` with `row >= column` and `row - column <= 12`.
+    #[inline]
+    pub fn add_lower(&mut self, row: usize, column: usize, value: f64) {
+        debug_assert!(row >= column && row - column <= HALF_BANDWIDTH);
+        self.columns[column][row - column] += value;
+    }
+
+    /// Adds to entry `(a, b)` of the symmetric matrix, given once for both sides of the diagonal.
+    #[inline]
+    pub fn add(&mut self, a: usize, b: usize, value: f64) {
+        self.add_lower(a.max(b), a.min(b), value);
+    }
+
+    /// Copies another matrix of the same order and adds `shift` to the diagonal.
+    pub fn copy_shifted(&mut self, other: &Self, shift: f64) {
+        self.columns.clone_from(&other.columns);
+        for column in &mut self.columns {
+            column[0] += shift;
+        }
+    }
+
+    /// Product with a vector (before factorization).
+    pub fn multiply(&self, x: &[f64], y: &mut [f64]) {
+        y.fill(0.0);
+        for (j, column) in self.columns.iter().enumerate() {
+            y[j] += column[0] * x[j];
+            let reach = HALF_BANDWIDTH.min(x.len() - 1 - j);
+            for k in 1..=reach {
+                y[j + k] += column[k] * x[j];
+                y[j] += column[k] * x[j + k];
+            }
+        }
+    }
+
+    /// Factorizes in place as `L D L^T`. `Err(j)`: pivot `j` is not above `tiny`, the matrix is not positive definite.
+    pub fn factorize(&mut self, tiny: f64) -> Result<(), usize> {
+        let order = self.columns.len();
+        for j in 0..order {
+            let (head, tail) = self.columns.split_at_mut(j + 1);
+            let column = &mut head[j];
+            let pivot = column[0];
+            if !(pivot > tiny) {
+                return Err(j);
+            }
+            let inverse = 1.0 / pivot;
+            let mut scaled = [0.0; COLUMN];
+            for k in 1..COLUMN {
+                scaled[k] = column[k] * inverse;
+            }
+            for (k, target) in tail.iter_mut().take(HALF_BANDWIDTH).enumerate() {
+                let factor = scaled[k + 1];
+                if factor != 0.0 {
+                    for (t, &c) in target.iter_mut().zip(&column[k + 1..]) {
+                        *t -= factor * c;
+                    }
+                }
+            }
+            column[1..].copy_from_slice(&scaled[1..]);
+        }
+        Ok(())
+    }
+
+    /// Solves with the factorization, in place.
+    pub fn solve(&self, x: &mut [f64]) {
+        let order = x.len();
+        for j in 0..order {
+            let xj = x[j];
+            let reach = HALF_BANDWIDTH.min(order - 1 - j);
+            for (t, &l) in x[j + 1..=j + reach].iter_mut().zip(&self.columns[j][1..]) {
+                *t -= l * xj;
+            }
+        }
+        for j in (0..order).rev() {
+            let reach = HALF_BANDWIDTH.min(order - 1 - j);
+            let dot: f64 = x[j + 1..=j + reach]
+                .iter()
+                .zip(&self.columns[j][1..])
+                .map(|(a, b)| a * b)
+                .sum();
+            x[j] = x[j] / self.columns[j][0] - dot;
+        }
+    }
+}

@@ -1,0 +1,5 @@
+//! Linear algebra of the stage structure: a banded Cholesky factorization.
+
+mod band;
+
+pub use band::BandMatrix;

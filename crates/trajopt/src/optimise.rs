@@ -1,0 +1,212 @@
+use crate::active::PointKind;
+use crate::interior_point::{Residuals, Settings, State, Workspace, solve};
+use crate::iterate::Iterate;
+use crate::problem::Problem;
+use pairtrawl_geometry::Point;
+use pairtrawl_model::{PairTrajectory, SolverStatus};
+
+/// What the optimiser returns. Whether the trajectories are a valid plan is for the certificate to say.
+#[derive(Clone, Debug)]
+pub struct Solution {
+    /// Both trajectories; `step_time` is that of the start.
+    pub trajectory: PairTrajectory,
+    /// d_max, m.
+    pub net_length: f64,
+    /// How it ended.
+    pub status: SolverStatus,
+    /// Interior-point iterations.
+    pub iterations: usize,
+    /// Scaled optimality residuals.
+    pub residuals: Residuals,
+    /// Constraints that could not be met, worst first.
+    pub violations: Vec<Violation>,
+    /// Wished-for margins that had to give way, one entry for each robot and thing, at the tightest waypoint.
+    pub shrunk_margins: Vec<ShrunkMargin>,
+}
+
+/// A constraint that the returned trajectories do not meet.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Violation {
+    /// The claim that it stands for.
+    pub claim: &'static str,
+    /// Waypoint or step.
+    pub step: usize,
+    /// By how much, m or rad.
+    pub amount: f64,
+    /// Index of the object, or of the obstacle piece.
+    pub subject: Option<usize>,
+    /// Where, m.
+    pub place: Point,
+}
+
+/// A margin that shrank below the wish.
+#[derive(Clone, Debug, PartialEq)]
+pub struct ShrunkMargin {
+    /// `robot_clearance`, `robots_miss_objects` or `net_encloses_no_obstacle`.
+    pub claim: &'static str,
+    /// Waypoint.
+    pub step: usize,
+    /// What is left of the margin, m.
+    pub left: f64,
+    /// Where, m.
+    pub place: Point,
+}
+
+/// Optimises from a start, until solved or out of iterations.
+pub fn optimise(problem: &Problem, start: &PairTrajectory, settings: &Settings) -> Solution {
+    optimise_watched(problem, start, settings, &mut |_, _| true)
+}
+
+/// As [`optimise`]; `go_on(iterations, residuals)` is asked before every iteration and may stop it (status `TimeLimit`).
+pub fn optimise_watched(
+    problem: &Problem,
+    start: &PairTrajectory,
+    settings: &Settings,
+    go_on: &mut dyn FnMut(usize, &Residuals) -> bool,
+) -> Solution {
+    let net_length = problem
+        .net_length
+        .unwrap_or_else(|| first_net_length(problem, start));
+    let mut x = Iterate::from_trajectory(start, net_length);
+    fix_ends(problem, &mut x);
+    let mut state = State::new(problem, x, settings);
+    let mut work = Workspace::default();
+    let mut status = solve(problem, &mut state, settings, &mut work, &mut |s| {
+        go_on(s.iterations, &s.residuals)
+    });
+    let (violations, shrunk_margins) = shortfalls(problem, &state);
+    if status == SolverStatus::Converged && !violations.is_empty() {
+        status = SolverStatus::LocallyInfeasible;
+    }
+    Solution {
+        trajectory: state.x.to_trajectory(start.step_time),
+        net_length: state.x.net_length,
+        status,
+        iterations: state.iterations,
+        residuals: state.residuals,
+        violations,
+        shrunk_margins,
+    }
+}
+
+/// A net in which the start's mean separation is at rest, and which holds the widest pair.
+fn first_net_length(problem: &Problem, start: &PairTrajectory) -> f64 {
+    let separations = (0..start.len()).map(|i| start.pair(i).separation());
+    let (mut sum, mut widest) = (0.0, 0.0_f64);
+    for d in separations {
+        sum += d;
+        widest = widest.max(d);
+    }
+    (sum / start.len() as f64 / problem.planner.rest_ratio).max(1.2 * widest)
+}
+
+/// The ends are the scene's; headings keep the turn count of the start.
+fn fix_ends(problem: &Problem, x: &mut Iterate) {
+    let last = x.stages.len() - 1;
+    for (i, pair) in [(0, &problem.start), (last, &problem.end)] {
+        for (k, pose) in [(0, pair.left), (3, pair.right)] {
+            let turns = ((x.stages[i][k + 2] - pose.heading) / std::f64::consts::TAU).round();
+            x.stages[i][k] = pose.x;
+            x.stages[i][k + 1] = pose.y;
+            x.stages[i][k + 2] = pose.heading + turns * std::f64::consts::TAU;
+        }
+    }
+}
+
+/// Claims that rows stand for fail when a row gives way by more than its margin.
+fn shortfalls(problem: &Problem, state: &State) -> (Vec<Violation>, Vec<ShrunkMargin>) {
+    const NOISE: f64 = 1e-5;
+    let mut violations = Vec::new();
+    let mut margins: Vec<ShrunkMargin> = Vec::new();
+    let mut judge = |claim: &'static str,
+                     step: usize,
+                     subject: Option<usize>,
+                     place: Point,
+                     c: f64,
+                     margin: f64| {
+        if c < -margin - NOISE {
+            violations.push(Violation {
+                claim,
+                step,
+                amount: -c - margin,
+                subject,
+                place,
+            });
+        } else if c < -1e-3 && margin > 1e-3 {
+            let left = margin + c;
+            match margins
+                .iter_mut()
+                .find(|m| m.claim == claim && m.place.distance(place) < 1.0)
+            {
+                Some(m) if m.left <= left => {}
+                Some(m) => {
+                    *m = ShrunkMargin {
+                        claim,
+                        step,
+                        left,
+                        place,
+                    }
+                }
+                None => margins.push(ShrunkMargin {
+                    claim,
+                    step,
+                    left,
+                    place,
+                }),
+            }
+        }
+    };
+    let reserve = &problem.reserve;
+    for pair in &state.set.pairs {
+        let stage = pair.stage as usize;
+        let place = state
+            .x
+            .position(stage, 0)
+            .lerp(state.x.position(stage, 1), 0.5);
+        let (claim, margin) = match pair.kind {
+            0 => ("separation", reserve.separation),
+            1 => ("separation", 0.0),
+            2 => ("net_reach", reserve.net_reach),
+            _ => ("abreast", reserve.skew),
+        };
+        judge(claim, stage, None, place, pair.row.c, margin);
+    }
+    for point in &state.set.points {
+        let stage = point.stage as usize;
+        let (claim, subject, margin) = match point.kind {
+            PointKind::Object(id) => ("robots_miss_objects", Some(id as usize), reserve.clearance),
+            PointKind::Piece(id) => ("robot_clearance", Some(id as usize), reserve.clearance),
+            PointKind::Side(id, _) => (
+                "every_object_covered",
+                Some(id as usize),
+                0.5 * problem.robot.radius,
+            ),
+            PointKind::Area(_) => ("inside_area", None, 0.0),
+        };
+        judge(
+            claim,
+            stage,
+            subject,
+            state.x.position(stage, point.robot.into()),
+            point.row.c,
+            margin,
+        );
+    }
+    for rung in &state.set.rungs {
+        let stage = rung.stage as usize;
+        let place = state
+            .x
+            .position(stage, 0)
+            .lerp(state.x.position(stage, 1), 0.5);
+        judge(
+            "net_encloses_no_obstacle",
+            stage,
+            Some(rung.piece as usize),
+            place,
+            rung.row.c,
+            reserve.net_clearance,
+        );
+    }
+    violations.sort_by(|a, b| b.amount.total_cmp(&a.amount));
+    (violations, margins)
+}

@@ -1,0 +1,133 @@
+use crate::constraints::{Abreast, NetReach, SeparationAbove, SeparationBelow};
+use crate::costs::{Distance, Expansion};
+use crate::pieces::PieceIndex;
+use pairtrawl_geometry::{Convex, Point};
+use pairtrawl_model::{Area, PairPose, PlannerParameters, Robot, Scene};
+
+/// What is optimised: costs, constraints, fixed ends. Immutable while solving.
+#[derive(Clone, Debug)]
+pub struct Problem {
+    /// First poses.
+    pub start: PairPose,
+    /// Last poses.
+    pub end: PairPose,
+    /// The robot.
+    pub robot: Robot,
+    /// Weights and limits.
+    pub planner: PlannerParameters,
+    /// Bounds of the axle centers.
+    pub area: Area,
+    /// d_max, m; `None`: a variable.
+    pub net_length: Option<f64>,
+    /// Object centers with the distance that axle centers keep from them (without the margin), m.
+    pub objects: Vec<(Point, f64)>,
+    /// Convex cover of the obstacles.
+    pub(crate) pieces: PieceIndex,
+    /// How much is kept in reserve beyond each claim.
+    pub reserve: Reserve,
+}
+
+/// Margins beyond the claims: `clearance` is wished for and shrinks where there is no room, the rest makes up for what
+/// happens between waypoints and is raised by the planner where a certificate fails.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Reserve {
+    /// Beyond the robot radius from obstacles and objects, m.
+    pub clearance: f64,
+    /// Between the net's straight line and obstacles, m.
+    pub net_clearance: f64,
+    /// Separation, both bounds, m.
+    pub separation: f64,
+    /// Net reach, m.
+    pub net_reach: f64,
+    /// Subtracted from max_skew, rad.
+    pub skew: f64,
+}
+
+impl Problem {
+    /// The problem of a scene with a net of `net_length` (`None`: to be chosen) among convex obstacles.
+    pub fn new(scene: &Scene, net_length: Option<f64>, obstacles: &[Convex]) -> Self {
+        let robot = scene.robot;
+        Self {
+            start: scene.start,
+            end: scene.end,
+            robot,
+            planner: scene.planner,
+            area: scene.area,
+            net_length,
+            objects: scene
+                .objects
+                .iter()
+                .map(|o| (o.position, o.footprint_radius() + robot.radius))
+                .collect(),
+            pieces: PieceIndex::new(obstacles, &scene.area),
+            reserve: Reserve {
+                clearance: scene.planner.clearance,
+                net_clearance: scene.planner.clearance,
+                separation: 1e-3,
+                net_reach: 5e-4,
+                skew: 1e-3,
+            },
+        }
+    }
+
+    /// The convex cover of the obstacles, as given.
+    pub fn obstacles(&self) -> &[Convex] {
+        self.pieces.all()
+    }
+
+    pub(crate) fn distance(&self) -> Distance {
+        Distance {
+            weight: self.planner.a2 * self.planner.t1,
+        }
+    }
+
+    /// Cost of a radian turned.
+    pub(crate) fn turn_weight(&self) -> f64 {
+        self.planner.a2 * self.planner.t2
+    }
+
+    pub(crate) fn expansion(&self) -> Expansion {
+        let p = &self.planner;
+        Expansion {
+            weight: p.a4,
+            kd1: p.kd1,
+            kd2: p.kd2,
+            rest_ratio: p.rest_ratio,
+            min_ratio: p.min_ratio,
+        }
+    }
+
+    pub(crate) fn smoothness(&self) -> [f64; 3] {
+        let p = &self.planner;
+        [p.a1 * p.b1, p.a1 * p.b2, p.a1 * p.b3]
+    }
+
+    pub(crate) fn separation_above(&self) -> SeparationAbove {
+        // With the net length free, 0.1 d_max stays below two radii up to 4.8 m.
+        let share = self
+            .net_length
+            .map_or(0.0, |length| self.planner.min_ratio * length);
+        SeparationAbove {
+            lower: share.max(2.0 * self.robot.radius) + self.reserve.separation,
+            ratio: 0.0,
+        }
+    }
+
+    pub(crate) fn separation_below(&self) -> SeparationBelow {
+        SeparationBelow { reserve: 1e-6 }
+    }
+
+    pub(crate) fn net_reach(&self) -> NetReach {
+        NetReach {
+            hitch: self.robot.hitch,
+            reserve: self.reserve.net_reach,
+        }
+    }
+
+    pub(crate) fn abreast(&self, heading: usize) -> Abreast {
+        Abreast {
+            cos_max_skew: (self.planner.max_skew - self.reserve.skew).cos(),
+            heading,
+        }
+    }
+}

@@ -1,0 +1,49 @@
+//! The narrow trait behind which every cost and constraint stands, and the local coordinates that they are written in.
+
+/// Value, gradient and Hessian of a scalar function of `K` local coordinates.
+#[derive(Clone, Copy, Debug)]
+pub struct Jet<const K: usize> {
+    /// Its value.
+    pub value: f64,
+    /// First derivatives.
+    pub gradient: [f64; K],
+    /// Second derivatives, symmetric.
+    pub hessian: [[f64; K]; K],
+}
+
+impl<const K: usize> Jet<K> {
+    /// A constant.
+    pub fn constant(value: f64) -> Self {
+        Self {
+            value,
+            gradient: [0.0; K],
+            hessian: [[0.0; K]; K],
+        }
+    }
+
+    /// Sets a mixed second derivative on both sides of the diagonal.
+    pub fn set_mixed(&mut self, i: usize, j: usize, value: f64) {
+        self.hessian[i][j] = value;
+        self.hessian[j][i] = value;
+    }
+}
+
+/// A twice differentiable scalar function of `K` local coordinates: a cost, or a constraint `c >= 0`.
+///
+/// `value` and `jet` are written apart, so that a derivative check compares two things.
+pub trait Term<const K: usize> {
+    /// The value alone.
+    fn value(&self, z: &[f64; K]) -> f64;
+    /// The value with first and second derivatives.
+    fn jet(&self, z: &[f64; K]) -> Jet<K>;
+}
+
+/// Local coordinates of one robot over one step: `dx, dy` (displacement, m), `psi` (mid-step heading, rad) and
+/// `delta` (heading change, rad).
+pub const STEP: usize = 4;
+/// Local coordinates of the pair at one waypoint: `rx, ry` (from right to left robot, m), `phi_l, phi_r` (rad), `d_max` (m).
+pub const PAIR: usize = 5;
+/// Local coordinates of one robot at one waypoint: `x, y`, m.
+pub const POINT: usize = 2;
+/// Local coordinates of the line between the robots at one waypoint: `lx, ly, rx, ry`, m.
+pub const RUNG: usize = 4;
