@@ -1,0 +1,213 @@
+//! Fixed obstacles: boxes, discs, polygons in convex pieces, and the blocked cells of a map merged into rectangles.
+
+use crate::engine::vector;
+use crate::{SimulationError, tag};
+use pairtrawl_geometry::Point;
+use pairtrawl_model::{Obstacle, OccupancyMap, Scene};
+use rapier2d_f64::parry::shape::TriMesh;
+use rapier2d_f64::parry::transformation::hertel_mehlhorn;
+use rapier2d_f64::prelude::{ColliderBuilder, PhysicsWorld, Vector};
+
+/// Blocked cells farther than this from every free cell cannot be touched, in cells.
+const SKIN: i64 = 2;
+/// Width of the walls around a map, m.
+const WALL: f64 = 1.0;
+
+/// Inserts every obstacle of the scene.
+pub(crate) fn insert(world: &mut PhysicsWorld, scene: &Scene) -> Result<(), SimulationError> {
+    let friction = scene.physics.contact_friction;
+    let mut add = |collider: ColliderBuilder, index: Option<usize>| {
+        world
+            .colliders
+            .insert(collider.friction(friction).user_data(tag::obstacle(index)));
+    };
+    for (index, obstacle) in scene.obstacles.iter().enumerate() {
+        let broken = || SimulationError::Polygon { index };
+        match obstacle {
+            Obstacle::Box { min, max } => {
+                let half = (*max - *min) * 0.5;
+                let collider = ColliderBuilder::cuboid(half.x, half.y)
+                    .translation(vector(min.lerp(*max, 0.5)));
+                add(collider, Some(index));
+            }
+            Obstacle::Circle { center, radius } => {
+                add(
+                    ColliderBuilder::ball(*radius).translation(vector(*center)),
+                    Some(index),
+                );
+            }
+            Obstacle::Polygon(vertices) => {
+                for piece in convex_pieces(vertices).ok_or_else(broken)? {
+                    add(
+                        ColliderBuilder::convex_polyline(piece).ok_or_else(broken)?,
+                        Some(index),
+                    );
+                }
+            }
+        }
+    }
+    if let Some(map) = &scene.map {
+        for rectangle in map_rectangles(map) {
+            let half = rectangle.size() * (0.5 * map.resolution);
+            let center = map.from_cells(rectangle.min.lerp(rectangle.max, 0.5));
+            let collider = ColliderBuilder::cuboid(half.x, half.y)
+                .translation(vector(center))
+                .rotation(map.origin.heading);
+            add(collider, None);
+        }
+    }
+    Ok(())
+}
+
+/// Convex pieces of a simple polygon, counter-clockwise.
+fn convex_pieces(vertices: &[Point]) -> Option<Vec<Vec<Vector>>> {
+    let mut outline: Vec<Vector> = vertices.iter().map(|&p| vector(p)).collect();
+    outline.dedup();
+    if outline.len() < 3 {
+        return None;
+    }
+    let area: f64 = (0..vertices.len())
+        .map(|i| vertices[i].cross(vertices[(i + 1) % vertices.len()]))
+        .sum();
+    if area < 0.0 {
+        outline.reverse();
+    }
+    let mesh = TriMesh::from_polygon(outline)?;
+    let pieces = hertel_mehlhorn(mesh.vertices(), mesh.indices());
+    (!pieces.is_empty()).then_some(pieces)
+}
+
+/// A rectangle of cells, in cell units.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(crate) struct CellRectangle {
+    pub(crate) min: Point,
+    pub(crate) max: Point,
+}
+
+impl CellRectangle {
+    fn new(column: f64, row: f64, columns: f64, rows: f64) -> Self {
+        Self {
+            min: Point::new(column, row),
+            max: Point::new(column + columns, row + rows),
+        }
+    }
+
+    fn size(&self) -> Point {
+        self.max - self.min
+    }
+}
+
+/// Rectangles that cover every blocked cell near a free one and nothing free, and walls around the map.
+pub(crate) fn map_rectangles(map: &OccupancyMap) -> Vec<CellRectangle> {
+    let (columns, rows) = (map.columns as i64, map.rows as i64);
+    let free = |c: i64, r: i64| !map.is_blocked(c, r);
+    let mut wanted: Vec<bool> = (0..rows)
+        .flat_map(|r| (0..columns).map(move |c| (c, r)))
+        .map(|(c, r)| {
+            map.is_blocked(c, r)
+                && (-SKIN..=SKIN).any(|dr| (-SKIN..=SKIN).any(|dc| free(c + dc, r + dr)))
+        })
+        .collect();
+    let mut rectangles = Vec::new();
+    for row in 0..map.rows {
+        let mut column = 0;
+        while column < map.columns {
+            if !wanted[row * map.columns + column] {
+                column += 1;
+                continue;
+            }
+            let width = (column..map.columns)
+                .take_while(|&c| wanted[row * map.columns + c])
+                .count();
+            let span = column..column + width;
+            let height = (row..map.rows)
+                .take_while(|&r| span.clone().all(|c| wanted[r * map.columns + c]))
+                .count();
+            for r in row..row + height {
+                wanted[r * map.columns + span.start..r * map.columns + span.end].fill(false);
+            }
+            rectangles.push(CellRectangle::new(
+                column as f64,
+                row as f64,
+                width as f64,
+                height as f64,
+            ));
+            column += width;
+        }
+    }
+    let wall = WALL / map.resolution;
+    let (width, height) = (columns as f64, rows as f64);
+    rectangles.extend([
+        CellRectangle::new(-wall, -wall, width + 2.0 * wall, wall),
+        CellRectangle::new(-wall, height, width + 2.0 * wall, wall),
+        CellRectangle::new(-wall, 0.0, wall, height),
+        CellRectangle::new(width, 0.0, wall, height),
+    ]);
+    rectangles
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use pairtrawl_geometry::Pose;
+
+    #[test]
+    fn rectangles_cover_the_blocked_cells_once_and_nothing_free() {
+        let picture = ["#####...", "#####..#", "##......", "......##", "...####."];
+        let blocked: Vec<bool> = picture
+            .iter()
+            .flat_map(|row| row.chars().map(|c| c == '#'))
+            .collect();
+        let map = OccupancyMap {
+            origin: Pose::new(1.0, 2.0, 0.3),
+            resolution: 0.1,
+            columns: 8,
+            rows: 5,
+            blocked: blocked.clone(),
+        };
+        let rectangles = map_rectangles(&map);
+        for (i, &is_blocked) in blocked.iter().enumerate() {
+            let center = Point::new((i % 8) as f64 + 0.5, (i / 8) as f64 + 0.5);
+            let covers = |r: &CellRectangle| {
+                r.min.x < center.x && center.x < r.max.x && r.min.y < center.y && center.y < r.max.y
+            };
+            assert_eq!(
+                rectangles.iter().filter(|r| covers(r)).count(),
+                usize::from(is_blocked),
+                "cell {i}"
+            );
+        }
+        assert_eq!(rectangles.len(), 4 + 6);
+    }
+
+    #[test]
+    fn a_non_convex_polygon_keeps_its_area_in_either_orientation() {
+        let corner = [
+            [0.0, 0.0],
+            [3.0, 0.0],
+            [3.0, 1.0],
+            [1.0, 1.0],
+            [1.0, 2.0],
+            [0.0, 2.0],
+        ]
+        .map(Point::from);
+        let mut turned = corner;
+        turned.reverse();
+        for vertices in [corner, turned] {
+            let pieces = convex_pieces(&vertices).expect("a simple polygon");
+            assert!(pieces.len() >= 2);
+            let area: f64 = pieces
+                .iter()
+                .map(|p| {
+                    (0..p.len())
+                        .map(|i| {
+                            0.5 * crate::engine::point(p[i])
+                                .cross(crate::engine::point(p[(i + 1) % p.len()]))
+                        })
+                        .sum::<f64>()
+                })
+                .sum();
+            assert!((area - 4.0).abs() < 1e-12, "{area}");
+        }
+    }
+}

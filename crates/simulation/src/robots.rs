@@ -1,0 +1,172 @@
+//! One robot: a planar body on two driven wheels.
+//!
+//! Reference point on the axle, center of mass d ahead of it, inertia I about the center of mass (MODEL row 16 of the paper's
+//! reading): M = diag(m, I + m d^2), C = [[0, -m d w], [m d w, 0]]. The body is simulated in its three planar freedoms; the
+//! wheels push with torque / r along the heading at +-half_track, and a lateral bristle at the axle holds the no-slip
+//! condition as long as the tires can: longitudinal and lateral force together stay within mu m g.
+
+use crate::engine::{pose_of, unit, vector, velocity_at, world_point};
+use crate::ground_friction::Bristle;
+use crate::{Parameters, RobotDrive, servo};
+use pairtrawl_geometry::{Point, Pose};
+use rapier2d_f64::prelude::{
+    ColliderBuilder, MassProperties, PhysicsWorld, RigidBodyBuilder, RigidBodyHandle,
+};
+
+/// Where a robot is and how it moves.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub struct RobotState {
+    /// Axle center and heading; the heading is continuous.
+    pub pose: Pose,
+    /// Velocity of the axle center along the heading, m/s.
+    pub forward: f64,
+    /// Velocity of the axle center across the heading (to the left), m/s: zero but for slip.
+    pub sideways: f64,
+    /// Turning rate, rad/s.
+    pub turn_rate: f64,
+}
+
+/// What acted on a robot in the last step.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub struct RobotLoad {
+    /// Force of the wheels along the heading, N.
+    pub drive_force: f64,
+    /// Wheel torques (left, right) after all limits, N m.
+    pub torques: [f64; 2],
+    /// Force of net and contacts on the robot in the map frame, by momentum balance, N.
+    pub load: Point,
+}
+
+pub(crate) struct RobotBody {
+    pub(crate) handle: RigidBodyHandle,
+    lateral: Bristle,
+    deflection: f64,
+    heading: f64,
+    momentum: Point,
+    applied: Point,
+    pub(crate) state: RobotState,
+    pub(crate) last: RobotLoad,
+}
+
+impl RobotBody {
+    pub(crate) fn insert(
+        world: &mut PhysicsWorld,
+        parameters: &Parameters,
+        pose: Pose,
+        tag: u128,
+    ) -> Self {
+        let physics = &parameters.physics;
+        let center = Point::new(physics.center_of_mass, 0.0);
+        let body = RigidBodyBuilder::dynamic()
+            .translation(vector(pose.position()))
+            .rotation(pose.heading)
+            .additional_mass_properties(MassProperties::new(
+                vector(center),
+                physics.robot_mass,
+                physics.robot_inertia,
+            ))
+            .can_sleep(false);
+        let base = parameters.base;
+        let collider = ColliderBuilder::cuboid(base.half_side, base.half_side)
+            .translation(vector(Point::new(-base.behind_axle, 0.0)))
+            .density(0.0)
+            .friction(physics.contact_friction)
+            .user_data(tag);
+        let (handle, _) = world.insert(body, collider);
+        let axle_inertia = 1.0
+            / (1.0 / physics.robot_mass
+                + physics.center_of_mass * physics.center_of_mass / physics.robot_inertia);
+        let lateral = Bristle::new(
+            physics.wheel_friction,
+            physics.robot_mass * physics.gravity,
+            axle_inertia,
+            parameters.time_step,
+        );
+        Self {
+            handle,
+            lateral,
+            deflection: 0.0,
+            heading: pose.heading,
+            momentum: Point::ZERO,
+            applied: Point::ZERO,
+            state: RobotState {
+                pose,
+                ..RobotState::default()
+            },
+            last: RobotLoad::default(),
+        }
+    }
+
+    /// Puts the forces of the coming step on the body.
+    pub(crate) fn apply(
+        &mut self,
+        world: &mut PhysicsWorld,
+        parameters: &Parameters,
+        drive: &RobotDrive,
+    ) {
+        let physics = &parameters.physics;
+        let traction = parameters.traction();
+        let forces = match *drive {
+            RobotDrive::Torques { left, right } => [left, right].map(|torque| {
+                torque.clamp(-physics.max_torque, physics.max_torque) / physics.wheel_radius
+            }),
+            RobotDrive::Velocity { forward, turn_rate } => {
+                servo::wheel_forces(parameters, &self.state, forward, turn_rate)
+            }
+            RobotDrive::Follow {
+                pose,
+                forward,
+                turn_rate,
+            } => {
+                let (v, w) = servo::track(&self.state, pose, forward, turn_rate);
+                servo::wheel_forces(parameters, &self.state, v, w)
+            }
+        };
+        let [left, right] = forces.map(|force| force.clamp(-0.5 * traction, 0.5 * traction));
+        let along = left + right;
+        let room = (traction * traction - along * along).max(0.0).sqrt();
+        // The last displacement was along the mid-step heading: that is the direction that must not slip.
+        let middle = self.heading - 0.5 * self.state.turn_rate * parameters.time_step;
+        let body = &mut world.bodies[self.handle];
+        let axle = world_point(body, Point::ZERO);
+        let slip = velocity_at(body, axle).dot(unit(middle).perp());
+        let across = self.lateral.force_along(&mut self.deflection, slip, room);
+        let forward = unit(self.heading);
+        self.applied = forward * along + forward.perp() * across;
+        body.reset_forces(false);
+        body.reset_torques(false);
+        body.add_force_at_point(vector(self.applied), vector(axle), false);
+        body.add_torque((right - left) * parameters.robot.half_track, false);
+        self.last.drive_force = along;
+        self.last.torques = [left * physics.wheel_radius, right * physics.wheel_radius];
+    }
+
+    /// Reads the state after a step.
+    pub(crate) fn observe(&mut self, world: &PhysicsWorld, parameters: &Parameters) {
+        let body = &world.bodies[self.handle];
+        let pose = pose_of(body);
+        self.heading += pairtrawl_geometry::wrap_angle(pose.heading - self.heading);
+        let velocity = velocity_at(body, pose.position());
+        let forward = unit(self.heading);
+        self.state = RobotState {
+            pose: Pose::at(pose.position(), self.heading),
+            forward: velocity.dot(forward),
+            sideways: velocity.dot(forward.perp()),
+            turn_rate: body.angvel(),
+        };
+        let momentum = crate::engine::point(body.linvel()) * parameters.physics.robot_mass;
+        self.last.load = (momentum - self.momentum) / parameters.time_step - self.applied;
+        self.momentum = momentum;
+    }
+
+    /// Where the net is tied.
+    pub(crate) fn hitch(&self, parameters: &Parameters) -> Point {
+        self.state.pose.position() - unit(self.state.pose.heading) * parameters.robot.hitch
+    }
+
+    /// Kinetic energy and energy of the tires, J.
+    pub(crate) fn energy(&self, world: &PhysicsWorld) -> f64 {
+        world.bodies[self.handle].kinetic_energy()
+            + self.lateral.energy(Point::new(self.deflection, 0.0))
+    }
+}

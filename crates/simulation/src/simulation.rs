@@ -1,0 +1,201 @@
+use crate::contacts::{self, Contact};
+use crate::engine::new_world;
+use crate::net::Net;
+use crate::net_start;
+use crate::objects::Objects;
+use crate::robots::RobotBody;
+use crate::{
+    Options, Parameters, RobotDrive, RobotLoad, RobotState, SimulationError, obstacles, tag,
+};
+use pairtrawl_geometry::{Point, Pose};
+use pairtrawl_model::{PairPose, Scene};
+use rapier2d_f64::prelude::PhysicsWorld;
+
+/// Objects are woken and put to sleep this often, s: at 0.5 m/s things move a third of the wake distance meanwhile.
+const SLEEP_INTERVAL: f64 = 0.02;
+
+/// Two robots, the net, the objects and the obstacles of a scene, in motion.
+pub struct Simulation {
+    parameters: Parameters,
+    world: PhysicsWorld,
+    robots: [RobotBody; 2],
+    net: Net,
+    objects: Objects,
+    steps: u64,
+    warnings: Vec<String>,
+}
+
+impl Simulation {
+    /// At the scene's start.
+    ///
+    /// # Errors
+    /// When the scene, the net length or the options cannot be simulated.
+    pub fn new(scene: &Scene, net_length: f64, options: &Options) -> Result<Self, SimulationError> {
+        Self::starting_at(scene, net_length, scene.start, options)
+    }
+
+    /// With the robots at other poses than the scene's start.
+    ///
+    /// # Errors
+    /// As [`Self::new`].
+    pub fn starting_at(
+        scene: &Scene,
+        net_length: f64,
+        start: PairPose,
+        options: &Options,
+    ) -> Result<Self, SimulationError> {
+        let parameters = Parameters::new(scene, net_length, options)?;
+        let mut world = new_world(&parameters);
+        obstacles::insert(&mut world, scene)?;
+        let fixed = world
+            .colliders
+            .iter()
+            .map(|(_, c)| (*c.position(), c.shared_shape().clone()))
+            .collect();
+        let poses = [start.left, start.right];
+        let laid = net_start::lay(scene, &parameters, poses, fixed)?;
+        let robots = [0, 1]
+            .map(|side| RobotBody::insert(&mut world, &parameters, poses[side], tag::robot(side)));
+        let net = Net::insert(
+            &mut world,
+            &parameters,
+            &laid.nodes,
+            [robots[0].handle, robots[1].handle],
+        );
+        let objects = Objects::insert(&mut world, &parameters, &scene.objects);
+        Ok(Self {
+            parameters,
+            world,
+            robots,
+            net,
+            objects,
+            steps: 0,
+            warnings: laid.warning.into_iter().collect(),
+        })
+    }
+
+    /// Advances by one time step with this drive of the (left, right) robot.
+    ///
+    /// # Errors
+    /// When a position or velocity is no longer finite.
+    pub fn step(&mut self, drive: [RobotDrive; 2]) -> Result<(), SimulationError> {
+        let every = (SLEEP_INTERVAL / self.parameters.time_step)
+            .round()
+            .max(1.0) as u64;
+        if self.steps.is_multiple_of(every) {
+            let reach = self.parameters.robot.radius;
+            let discs = self
+                .robots
+                .each_ref()
+                .map(|r| (r.state.pose.position(), reach));
+            let polyline = self.net.polyline(&self.world);
+            self.objects
+                .update_sleep(&mut self.world, &polyline, &discs);
+        }
+        for (robot, drive) in self.robots.iter_mut().zip(&drive) {
+            robot.apply(&mut self.world, &self.parameters, drive);
+        }
+        self.net.apply(&mut self.world);
+        self.objects.apply(&mut self.world);
+        self.world.step();
+        self.steps += 1;
+        for robot in &mut self.robots {
+            robot.observe(&self.world, &self.parameters);
+        }
+        self.objects.observe(&self.world);
+        let finite = self
+            .robots
+            .iter()
+            .all(|r| r.state.pose.is_finite() && r.last.load.is_finite());
+        if finite {
+            Ok(())
+        } else {
+            Err(SimulationError::Diverged { time: self.time() })
+        }
+    }
+
+    /// Time since the start, s.
+    pub fn time(&self) -> f64 {
+        self.steps as f64 * self.parameters.time_step
+    }
+
+    /// What stays constant.
+    pub fn parameters(&self) -> &Parameters {
+        &self.parameters
+    }
+
+    /// Poses and velocities of the (left, right) robot.
+    pub fn robots(&self) -> [RobotState; 2] {
+        self.robots.each_ref().map(|r| r.state)
+    }
+
+    /// Poses of both robots.
+    pub fn pair(&self) -> PairPose {
+        let [left, right] = self.robots();
+        PairPose {
+            left: left.pose,
+            right: right.pose,
+        }
+    }
+
+    /// What acted on the (left, right) robot in the last step. The load is the force of the net (and of whatever else touches
+    /// the robot) by the momentum balance of the robot; the impulses that the engine reports are not that force.
+    pub fn loads(&self) -> [RobotLoad; 2] {
+        self.robots.each_ref().map(|r| r.last)
+    }
+
+    /// The net from the left hitch to the right one: both ends and every hinge, m.
+    pub fn net(&self) -> Vec<Point> {
+        self.net.polyline(&self.world)
+    }
+
+    /// Centers and turns of the net's links, from the left.
+    pub fn links(&self) -> Vec<Pose> {
+        self.net.link_poses(&self.world)
+    }
+
+    /// Hitch points of the (left, right) robot, m.
+    pub fn hitches(&self) -> [Point; 2] {
+        self.robots.each_ref().map(|r| r.hitch(&self.parameters))
+    }
+
+    /// Centers and turns of the objects, in the scene's order.
+    pub fn objects(&self) -> Vec<Pose> {
+        self.objects.poses()
+    }
+
+    /// How many objects take part in the physics at the moment; the others lie still, out of reach.
+    pub fn awake_objects(&self) -> usize {
+        self.objects.awake_count()
+    }
+
+    /// Per object: true when its center lies in the region bounded by the net and the hitch line.
+    pub fn gathered(&self) -> Vec<bool> {
+        let net = self.net();
+        self.objects()
+            .iter()
+            .map(|o| crate::encloses(&net, o.position()))
+            .collect()
+    }
+
+    /// Everything that touches, after the last step.
+    pub fn contacts(&self) -> Vec<Contact> {
+        contacts::touching(&self.world)
+    }
+
+    /// Greatest gap in a hinge of the net, m.
+    pub fn joint_gap(&self) -> f64 {
+        self.net.joint_gap(&self.world, self.hitches())
+    }
+
+    /// Kinetic energy of everything and what is stored in tires and support points, J.
+    pub fn energy(&self) -> f64 {
+        let robots: f64 = self.robots.iter().map(|r| r.energy(&self.world)).sum();
+        robots + self.net.energy(&self.world) + self.objects.energy(&self.world)
+    }
+
+    /// Warnings for people, from setting up.
+    pub fn warnings(&self) -> &[String] {
+        &self.warnings
+    }
+}

@@ -1,0 +1,42 @@
+//! What a collider belongs to, packed into its user data.
+
+/// Something that can touch something else.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
+pub enum Part {
+    /// An obstacle of the scene by its index; `None`: the map's.
+    Obstacle(Option<usize>),
+    /// A robot: 0 left, 1 right.
+    Robot(usize),
+    /// A link of the net, counted from the left hitch.
+    Link(usize),
+    /// An object of the scene.
+    Object(usize),
+}
+
+const KIND: u32 = 64;
+
+pub(crate) fn obstacle(index: Option<usize>) -> u128 {
+    index.map_or(0, |i| i as u128 + 1)
+}
+
+pub(crate) fn robot(index: usize) -> u128 {
+    (1 << KIND) | index as u128
+}
+
+pub(crate) fn link(index: usize) -> u128 {
+    (2 << KIND) | index as u128
+}
+
+pub(crate) fn object(index: usize) -> u128 {
+    (3 << KIND) | index as u128
+}
+
+pub(crate) fn part(user_data: u128) -> Part {
+    let index = (user_data & ((1 << KIND) - 1)) as usize;
+    match user_data >> KIND {
+        0 => Part::Obstacle(index.checked_sub(1)),
+        1 => Part::Robot(index),
+        2 => Part::Link(index),
+        _ => Part::Object(index),
+    }
+}

@@ -1,0 +1,253 @@
+//! What is looked at while a plan is rehearsed.
+
+use crate::engine::length;
+use crate::{Options, Part, PlanFollower, Simulation, distance_outside, encloses};
+use pairtrawl_geometry::Point;
+use pairtrawl_model::{
+    Rehearsal, RehearsalEvent, RehearsalEventKind as Kind, RehearsalFrame, RehearsalRecord, Scene,
+    Side,
+};
+
+/// Tension is a mean over this long, s.
+const TENSION_WINDOW: f64 = 0.02;
+/// Contacts and objects are looked at this often, s.
+const LOOK_INTERVAL: f64 = 0.01;
+/// The same thing again within this time is the same event, s.
+const EPISODE: f64 = 1.0;
+/// An object that was in the net this long is held, s.
+const HELD_TIME: f64 = 0.5;
+/// A held object farther outside than this beyond its own radius has escaped, m.
+const ESCAPE_DISTANCE: f64 = 0.03;
+
+pub(crate) struct Watch {
+    options: Options,
+    plan: PlanFollower,
+    radii: Vec<f64>,
+    tension_limit: f64,
+    look_every: u64,
+    frame_every: u64,
+    window_every: u64,
+    steps: u64,
+    window: [Point; 2],
+    frame: Sums,
+    whole: Sums,
+    held: Vec<Holding>,
+    open: Vec<(Kind, f64)>,
+    record: RehearsalRecord,
+}
+
+/// Sums over steps.
+#[derive(Clone, Copy, Default)]
+struct Sums {
+    steps: f64,
+    load: [Point; 2],
+    drive: [f64; 2],
+}
+
+/// Since when an object has been in the net.
+#[derive(Clone, Copy)]
+enum Holding {
+    Outside,
+    Since(f64),
+}
+
+impl Watch {
+    pub(crate) fn new(
+        scene: &Scene,
+        options: &Options,
+        plan: PlanFollower,
+        simulation: &Simulation,
+    ) -> Self {
+        let every = |interval: f64| (interval / options.time_step).round().max(1.0) as u64;
+        let mut watch = Self {
+            options: *options,
+            plan,
+            radii: scene.objects.iter().map(|o| o.footprint_radius()).collect(),
+            tension_limit: scene.physics.tension_limit,
+            look_every: every(LOOK_INTERVAL),
+            frame_every: every(options.frame_interval),
+            window_every: every(TENSION_WINDOW),
+            steps: 0,
+            window: [Point::ZERO; 2],
+            frame: Sums::default(),
+            whole: Sums::default(),
+            held: vec![Holding::Outside; scene.objects.len()],
+            open: Vec::new(),
+            record: RehearsalRecord {
+                warnings: simulation.warnings().to_vec(),
+                ..RehearsalRecord::default()
+            },
+        };
+        watch.record_frame(simulation);
+        watch
+    }
+
+    pub(crate) fn observe(&mut self, simulation: &Simulation) {
+        self.steps += 1;
+        let loads = simulation.loads();
+        for sums in [&mut self.frame, &mut self.whole] {
+            sums.steps += 1.0;
+            for (side, load) in loads.iter().enumerate() {
+                sums.load[side] += load.load;
+                sums.drive[side] += load.drive_force;
+            }
+        }
+        for (side, load) in loads.iter().enumerate() {
+            self.window[side] += load.load;
+        }
+        if self.steps.is_multiple_of(self.window_every) {
+            self.look_at_tension(simulation);
+        }
+        if self.steps.is_multiple_of(self.look_every) {
+            self.look_at_paths(simulation);
+            self.look_at_contacts(simulation);
+            self.look_at_objects(simulation);
+        }
+        if self.steps.is_multiple_of(self.frame_every) {
+            self.record_frame(simulation);
+        }
+    }
+
+    pub(crate) fn finish(mut self, simulation: &Simulation) -> RehearsalRecord {
+        if self.frame.steps > 0.0 {
+            self.record_frame(simulation);
+        }
+        self.record.gathered = simulation.gathered();
+        self.record.duration = simulation.time();
+        self.record.mean_drive_force = self.whole.drive.map(|sum| sum / self.whole.steps.max(1.0));
+        for (object, pose) in simulation.objects().iter().enumerate() {
+            if !self.record.gathered[object] {
+                self.happened(
+                    Kind::ObjectNotGathered { object },
+                    simulation.time(),
+                    pose.position(),
+                );
+            }
+        }
+        let gathered = &self.record.gathered;
+        // An object that slipped out and was caught again is reported but does no harm.
+        let counts = |event: &&RehearsalEvent| match event.kind {
+            Kind::ObjectEscapes { object } => !gathered[object],
+            _ => true,
+        };
+        self.record.verdict = match self.record.events.iter().find(counts) {
+            None => Rehearsal::Passed,
+            Some(event) => Rehearsal::Failed {
+                event: event.kind.describe(),
+                time: event.time,
+                place: event.place,
+            },
+        };
+        self.record
+    }
+
+    fn look_at_tension(&mut self, simulation: &Simulation) {
+        let hitches = simulation.hitches();
+        for side in Side::BOTH {
+            let i = side.index();
+            let tension = length(self.window[i]) / self.window_every as f64;
+            self.record.max_tension[i] = self.record.max_tension[i].max(tension);
+            if tension > self.tension_limit {
+                self.happened(Kind::Snag { robot: side }, simulation.time(), hitches[i]);
+            }
+        }
+        self.window = [Point::ZERO; 2];
+    }
+
+    fn look_at_paths(&mut self, simulation: &Simulation) {
+        let reference = self.plan.reference(simulation.time());
+        let wanted = [reference.left, reference.right];
+        for side in Side::BOTH {
+            let i = side.index();
+            let place = simulation.robots()[i].pose.position();
+            let deviation = length(place - wanted[i].position());
+            self.record.max_deviation[i] = self.record.max_deviation[i].max(deviation);
+            if deviation > self.options.max_deviation {
+                self.happened(Kind::RobotCaught { robot: side }, simulation.time(), place);
+            }
+        }
+    }
+
+    fn look_at_contacts(&mut self, simulation: &Simulation) {
+        let contacts = simulation.contacts();
+        if contacts.is_empty() {
+            return;
+        }
+        let net = simulation.net();
+        let objects = simulation.objects();
+        for contact in contacts {
+            let side = |i: usize| Side::BOTH[i];
+            let kind = match (contact.first, contact.second) {
+                (Part::Obstacle(obstacle), Part::Link(_)) => Kind::NetTouchesObstacle { obstacle },
+                (Part::Obstacle(obstacle), Part::Robot(robot)) => Kind::RobotTouchesObstacle {
+                    robot: side(robot),
+                    obstacle,
+                },
+                (Part::Robot(_), Part::Robot(_)) => Kind::RobotsTouch,
+                (Part::Robot(robot), Part::Object(object))
+                    if distance_outside(&net, objects[object].position()) > self.radii[object] =>
+                {
+                    Kind::RobotTouchesObject {
+                        robot: side(robot),
+                        object,
+                    }
+                }
+                _ => continue,
+            };
+            self.happened(kind, simulation.time(), contact.place);
+        }
+    }
+
+    fn look_at_objects(&mut self, simulation: &Simulation) {
+        let net = simulation.net();
+        let time = simulation.time();
+        for (object, pose) in simulation.objects().iter().enumerate() {
+            let place = pose.position();
+            self.held[object] = match self.held[object] {
+                Holding::Outside if encloses(&net, place) => Holding::Since(time),
+                Holding::Since(since)
+                    if distance_outside(&net, place) > self.radii[object] + ESCAPE_DISTANCE =>
+                {
+                    if time - since > HELD_TIME {
+                        self.happened(Kind::ObjectEscapes { object }, time, place);
+                    }
+                    Holding::Outside
+                }
+                holding => holding,
+            };
+        }
+    }
+
+    /// Notes an event, or that it still goes on.
+    fn happened(&mut self, kind: Kind, time: f64, place: Point) {
+        let again = self.open.iter_mut().find(|(open, _)| *open == kind);
+        match again {
+            Some((_, last)) if time - *last < EPISODE => *last = time,
+            Some((_, last)) => {
+                *last = time;
+                self.record
+                    .events
+                    .push(RehearsalEvent { kind, time, place });
+            }
+            None => {
+                self.open.push((kind, time));
+                self.record
+                    .events
+                    .push(RehearsalEvent { kind, time, place });
+            }
+        }
+    }
+
+    fn record_frame(&mut self, simulation: &Simulation) {
+        let steps = self.frame.steps.max(1.0);
+        self.record.frames.push(RehearsalFrame {
+            time: simulation.time(),
+            robots: simulation.pair(),
+            net: simulation.net(),
+            objects: simulation.objects(),
+            tension: self.frame.load.map(|sum| length(sum) / steps),
+            drive_force: self.frame.drive.map(|sum| sum / steps),
+        });
+        self.frame = Sums::default();
+    }
+}
