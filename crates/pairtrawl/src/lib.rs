@@ -1,6 +1,7 @@
 //! Plan, prove, rehearse and execute runs of two robots that tow a net.
 
 mod error;
+pub mod files;
 mod observer;
 mod options;
 mod summary;

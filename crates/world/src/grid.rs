@@ -1,7 +1,8 @@
+use crate::pieces::footprint_outline;
 use crate::shape::{bounds, moved, overlaps_unit_square};
 use crate::{MAX_CELLS, REACH, WorldError};
 use pairtrawl_geometry::{Convex, Point, Pose};
-use pairtrawl_model::{Area, Footprint, Object, OccupancyMap, Scene};
+use pairtrawl_model::{Area, OccupancyMap, Scene};
 
 /// A piece that overlaps a cell by less than this part of its edge only touches it.
 const TOUCH: f64 = 1e-6;
@@ -65,7 +66,7 @@ impl OccupancyGrid {
             }
         }
         for object in &scene.objects {
-            let footprint = outline(object);
+            let footprint = footprint_outline(object);
             grid.for_each_overlapped(&footprint, |cells, i| {
                 if cells[i] == Cell::Free {
                     cells[i] = Cell::Object;
@@ -219,21 +220,4 @@ fn border_cells(resolution: f64) -> usize {
 fn turned(v: Point, angle: f64) -> Point {
     let (sin, cos) = angle.sin_cos();
     Point::new(cos * v.x - sin * v.y, sin * v.x + cos * v.y)
-}
-
-/// The footprint of an object as a convex piece, map frame.
-fn outline(object: &Object) -> Convex {
-    let c = object.position;
-    match object.footprint {
-        Footprint::Box(w, d) => {
-            let h = Point::new(0.5 * w, 0.5 * d);
-            Convex::Polygon(vec![
-                c - h,
-                Point::new(c.x + h.x, c.y - h.y),
-                c + h,
-                Point::new(c.x - h.x, c.y + h.y),
-            ])
-        }
-        Footprint::Disc(radius) => Convex::Circle { center: c, radius },
-    }
 }

@@ -20,7 +20,8 @@ pub use circles::OPEN_NET_LENGTH;
 pub use error::WorldError;
 pub use field::DistanceField;
 pub use grid::{Cell, OccupancyGrid, grid_size};
-pub use shape::signed_distance;
+pub use pieces::{convex_cover, footprint_outline, obstacle_pieces};
+pub use shape::{overlap, signed_distance};
 
 use pairtrawl_geometry::{Convex, Point};
 use pairtrawl_model::{Circle, Scene};

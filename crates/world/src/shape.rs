@@ -101,3 +101,24 @@ pub fn overlaps_unit_square(piece: &Convex, low: Point, slack: f64) -> bool {
         }
     }
 }
+
+/// True when two convex pieces share a region more than `slack` (m) deep.
+pub fn overlap(a: &Convex, b: &Convex, slack: f64) -> bool {
+    match (a, b) {
+        (Convex::Circle { center, radius }, other) | (other, Convex::Circle { center, radius }) => {
+            signed_distance(other, *center) < radius - slack
+        }
+        (Convex::Polygon(p), Convex::Polygon(q)) => {
+            !is_separated(p, q, slack) && !is_separated(q, p, slack)
+        }
+    }
+}
+
+/// True when an edge of the first polygon has the whole second one on its outer side, up to `slack`.
+fn is_separated(p: &[Point], q: &[Point], slack: f64) -> bool {
+    edges(p).any(|(a, b)| {
+        let inward = (b - a).perp();
+        q.iter()
+            .all(|v| inward.dot(*v - a) <= slack * inward.norm())
+    })
+}

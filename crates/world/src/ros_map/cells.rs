@@ -31,7 +31,11 @@ pub struct DecodedMap {
 ///
 /// # Errors
 /// When the image has an unknown format, no pixel, too many pixels ([`crate::MAX_CELLS`]), or is damaged.
-pub fn decode(metadata: &MapMetadata, image: &[u8], unknown: Unknown) -> Result<DecodedMap, RosMapError> {
+pub fn decode(
+    metadata: &MapMetadata,
+    image: &[u8],
+    unknown: Unknown,
+) -> Result<DecodedMap, RosMapError> {
     let image = read_image(image)?;
     let (columns, rows) = (image.width() as usize, image.height() as usize);
     let top_down = pixels(&image)?;
@@ -42,14 +46,25 @@ pub fn decode(metadata: &MapMetadata, image: &[u8], unknown: Unknown) -> Result<
         resolution: metadata.resolution,
         columns,
         rows,
-        blocked: values.iter().map(|&v| is_blocked(metadata, v, unknown)).collect(),
+        blocked: values
+            .iter()
+            .map(|&v| is_blocked(metadata, v, unknown))
+            .collect(),
     };
-    Ok(DecodedMap { warnings: threshold_warning(metadata, &top_down).into_iter().collect(), values, map })
+    Ok(DecodedMap {
+        warnings: threshold_warning(metadata, &top_down).into_iter().collect(),
+        values,
+        map,
+    })
 }
 
 /// The value of a pixel as map_server publishes it.
 fn occupancy(metadata: &MapMetadata, pixel: &Pixel) -> Option<u8> {
-    let MapMetadata { free_thresh, occupied_thresh, .. } = *metadata;
+    let MapMetadata {
+        free_thresh,
+        occupied_thresh,
+        ..
+    } = *metadata;
     let occ = occ(metadata, pixel.shade);
     match metadata.mode {
         Mode::Raw => {
@@ -62,7 +77,9 @@ fn occupancy(metadata: &MapMetadata, pixel: &Pixel) -> Option<u8> {
         Mode::Trinary => None,
         // Equal thresholds leave the one value between them.
         Mode::Scale if occupied_thresh == free_thresh => None,
-        Mode::Scale => Some(((occ - free_thresh) / (occupied_thresh - free_thresh) * 100.0).round_ties_even() as u8),
+        Mode::Scale => Some(
+            ((occ - free_thresh) / (occupied_thresh - free_thresh) * 100.0).round_ties_even() as u8,
+        ),
     }
 }
 
@@ -88,7 +105,10 @@ fn threshold_warning(metadata: &MapMetadata, pixels: &[Pixel]) -> Option<String>
     if metadata.mode == Mode::Raw || occ(metadata, unknown_shade) >= metadata.free_thresh {
         return None;
     }
-    let count = pixels.iter().filter(|p| (p.shade - unknown_shade).abs() < 1e-9).count();
+    let count = pixels
+        .iter()
+        .filter(|p| (p.shade - unknown_shade).abs() < 1e-9)
+        .count();
     (count > 0).then(|| {
         format!(
             "free_thresh {} makes {count} cells free that hold grey 205, which map_saver writes for unknown cells (occ 0.196): \

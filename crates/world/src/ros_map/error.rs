@@ -18,7 +18,9 @@ pub enum RosMapError {
         bound: &'static str,
     },
     /// The image's first bytes are those of no known format.
-    #[error("the map image starts with {start:?}: that is neither PNM (P1 to P7 and white space) nor PNG")]
+    #[error(
+        "the map image starts with {start:?}: that is neither PNM (P1 to P7 and white space) nor PNG"
+    )]
     Magic {
         /// The first bytes, escaped.
         start: String,
@@ -32,7 +34,9 @@ pub enum RosMapError {
         rows: u32,
     },
     /// The image is too large.
-    #[error("the map image is {columns} x {rows} pixels, the bound is {bound} altogether: crop it or use a coarser resolution")]
+    #[error(
+        "the map image is {columns} x {rows} pixels, the bound is {bound} altogether: crop it or use a coarser resolution"
+    )]
     TooLarge {
         /// Width.
         columns: u32,
@@ -42,7 +46,9 @@ pub enum RosMapError {
         bound: usize,
     },
     /// The file ends before the last pixel.
-    #[error("the map image is cut off: its header declares {columns} x {rows} pixels, at least {needed} bytes, and {found} bytes follow")]
+    #[error(
+        "the map image is cut off: its header declares {columns} x {rows} pixels, at least {needed} bytes, and {found} bytes follow"
+    )]
     Truncated {
         /// Width.
         columns: u32,

@@ -60,8 +60,12 @@ impl MapMetadata {
     /// # Errors
     /// When it is not UTF-8 or not YAML, a key is missing or of the wrong type, or a value out of range.
     pub fn parse(yaml: &[u8]) -> Result<Self, RosMapError> {
-        let text = std::str::from_utf8(yaml).map_err(|e| RosMapError::Yaml { reason: format!("it is not UTF-8: {e}") })?;
-        let file: File = serde_saphyr::from_str(text).map_err(|e| RosMapError::Yaml { reason: one_line(&e.to_string()) })?;
+        let text = std::str::from_utf8(yaml).map_err(|e| RosMapError::Yaml {
+            reason: format!("it is not UTF-8: {e}"),
+        })?;
+        let file: File = serde_saphyr::from_str(text).map_err(|e| RosMapError::Yaml {
+            reason: one_line(&e.to_string()),
+        })?;
         let negate = match file.negate {
             Negate::Flag(flag) => flag,
             Negate::Number(0) => false,
@@ -69,22 +73,43 @@ impl MapMetadata {
             Negate::Number(n) => return Err(value_error("negate", n, "0, 1, true or false")),
         };
         if file.image.is_empty() {
-            return Err(value_error("image", "empty", "the name of a PGM or PNG file"));
+            return Err(value_error(
+                "image",
+                "empty",
+                "the name of a PGM or PNG file",
+            ));
         }
         if !(file.resolution.is_finite() && file.resolution > 0.0) {
-            return Err(value_error("resolution", file.resolution, "finite and above zero (m per pixel)"));
+            return Err(value_error(
+                "resolution",
+                file.resolution,
+                "finite and above zero (m per pixel)",
+            ));
         }
         let origin = match *file.origin.as_slice() {
             [x, y, yaw] if Pose::new(x, y, yaw).is_finite() => Pose::new(x, y, yaw),
-            _ => return Err(value_error("origin", format!("{:?}", file.origin), "three finite numbers: x, y (m), yaw (rad)")),
+            _ => {
+                return Err(value_error(
+                    "origin",
+                    format!("{:?}", file.origin),
+                    "three finite numbers: x, y (m), yaw (rad)",
+                ));
+            }
         };
-        for (key, value) in [("free_thresh", file.free_thresh), ("occupied_thresh", file.occupied_thresh)] {
+        for (key, value) in [
+            ("free_thresh", file.free_thresh),
+            ("occupied_thresh", file.occupied_thresh),
+        ] {
             if !(0.0..=1.0).contains(&value) {
                 return Err(value_error(key, value, "from 0 to 1"));
             }
         }
         if file.free_thresh > file.occupied_thresh {
-            return Err(value_error("free_thresh", file.free_thresh, "at most occupied_thresh"));
+            return Err(value_error(
+                "free_thresh",
+                file.free_thresh,
+                "at most occupied_thresh",
+            ));
         }
         Ok(Self {
             image: file.image,
@@ -99,7 +124,11 @@ impl MapMetadata {
 }
 
 fn value_error(key: &'static str, value: impl ToString, bound: &'static str) -> RosMapError {
-    RosMapError::Value { key, value: value.to_string(), bound }
+    RosMapError::Value {
+        key,
+        value: value.to_string(),
+        bound,
+    }
 }
 
 /// The parser's message without its drawing of the line in question.

@@ -13,7 +13,9 @@ pub(super) fn read_image(bytes: &[u8]) -> Result<DynamicImage, RosMapError> {
     const PNG: [u8; 8] = [0x89, b'P', b'N', b'G', 0x0d, 0x0a, 0x1a, 0x0a];
     match bytes {
         // The decoder takes the two bytes alone and would read `P39151` as a P3 of width 9151.
-        [b'P', b'1'..=b'7', next, ..] if next.is_ascii_whitespace() || *next == b'#' => read_pnm(bytes),
+        [b'P', b'1'..=b'7', next, ..] if next.is_ascii_whitespace() || *next == b'#' => {
+            read_pnm(bytes)
+        }
         _ if bytes.starts_with(&PNG) => {
             let mut limits = Limits::default();
             limits.max_alloc = Some(MAX_BYTES);
@@ -22,7 +24,12 @@ pub(super) fn read_image(bytes: &[u8]) -> Result<DynamicImage, RosMapError> {
             DynamicImage::from_decoder(decoder).map_err(refuse)
         }
         _ => {
-            let start = bytes.iter().take(8).flat_map(|b| std::ascii::escape_default(*b)).map(char::from).collect();
+            let start = bytes
+                .iter()
+                .take(8)
+                .flat_map(|b| std::ascii::escape_default(*b))
+                .map(char::from)
+                .collect();
             Err(RosMapError::Magic { start })
         }
     }
@@ -35,7 +42,9 @@ fn read_pnm(bytes: &[u8]) -> Result<DynamicImage, RosMapError> {
     check_size((columns, rows))?;
     let pixels = u64::from(columns) * u64::from(rows);
     let needed = match decoder.subtype() {
-        PnmSubtype::Bitmap(SampleEncoding::Binary) => u64::from(columns.div_ceil(8)) * u64::from(rows),
+        PnmSubtype::Bitmap(SampleEncoding::Binary) => {
+            u64::from(columns.div_ceil(8)) * u64::from(rows)
+        }
         PnmSubtype::Bitmap(SampleEncoding::Ascii) => pixels,
         // A digit a sample and a separator between two.
         PnmSubtype::Graymap(SampleEncoding::Ascii) => 2 * pixels - 1,
@@ -46,7 +55,12 @@ fn read_pnm(bytes: &[u8]) -> Result<DynamicImage, RosMapError> {
     let (reader, _) = decoder.into_inner();
     let found = reader.len() as u64;
     if found < needed {
-        return Err(RosMapError::Truncated { columns, rows, needed, found });
+        return Err(RosMapError::Truncated {
+            columns,
+            rows,
+            needed,
+            found,
+        });
     }
     DynamicImage::from_decoder(PnmDecoder::new(Cursor::new(bytes)).map_err(refuse)?).map_err(refuse)
 }
@@ -56,13 +70,19 @@ fn check_size((columns, rows): (u32, u32)) -> Result<(), RosMapError> {
         return Err(RosMapError::Empty { columns, rows });
     }
     if u64::from(columns) * u64::from(rows) > MAX_CELLS as u64 {
-        return Err(RosMapError::TooLarge { columns, rows, bound: MAX_CELLS });
+        return Err(RosMapError::TooLarge {
+            columns,
+            rows,
+            bound: MAX_CELLS,
+        });
     }
     Ok(())
 }
 
 fn refuse(error: ImageError) -> RosMapError {
-    RosMapError::Image { reason: error.to_string() }
+    RosMapError::Image {
+        reason: error.to_string(),
+    }
 }
 
 /// One pixel: mean of its color channels in 0..1, and whether it is opaque.
@@ -83,7 +103,10 @@ pub(super) fn pixels(image: &DynamicImage) -> Result<Vec<Pixel>, RosMapError> {
                 let (colors, alpha) = pixel.split_at(channels - usize::from(has_alpha));
                 let sum: u32 = colors.iter().sum();
                 let shade = f64::from(sum) / (colors.len() as f64 * f64::from(full));
-                Pixel { shade, is_opaque: alpha.iter().all(|&a| a == full) }
+                Pixel {
+                    shade,
+                    is_opaque: alpha.iter().all(|&a| a == full),
+                }
             })
             .collect()
     };
@@ -93,7 +116,9 @@ pub(super) fn pixels(image: &DynamicImage) -> Result<Vec<Pixel>, RosMapError> {
     if let Some(samples) = sixteen_bit(image) {
         return Ok(decode(&mut samples.iter().map(|&s| u32::from(s)), 65535));
     }
-    Err(RosMapError::Image { reason: format!("samples of kind {:?} are not supported", image.color()) })
+    Err(RosMapError::Image {
+        reason: format!("samples of kind {:?} are not supported", image.color()),
+    })
 }
 
 fn eight_bit(image: &DynamicImage) -> Option<&[u8]> {

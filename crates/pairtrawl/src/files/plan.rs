@@ -1,0 +1,10 @@
+//! `plan.json` (FORMATS: `pairtrawl-plan/1`). The types of the file are apart from those of the model.
+
+mod read;
+mod write;
+
+pub use read::{PlanFile, parse_plan, read_plan};
+pub use write::{plan_json, write_plan};
+
+/// The first field of every plan.
+const FORMAT: &str = "pairtrawl-plan/1";

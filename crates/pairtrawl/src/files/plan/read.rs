@@ -1,0 +1,264 @@
+use super::FORMAT;
+use crate::files::limits::{PLAN_BYTES, read_bounded, text};
+use crate::files::{FileError, Problem};
+use pairtrawl_geometry::{Point, Pose};
+use pairtrawl_model::{
+    Circle, Cost, Overrides, PairTrajectory, Scene, SceneReference, default_step_time,
+};
+use serde::Deserialize;
+use std::path::Path;
+
+/// A plan as it stands in a file, perhaps one made by another program. Its certificate, its rehearsal and its solver's
+/// report are not read: claims are derived anew.
+#[derive(Clone, Debug, PartialEq)]
+pub struct PlanFile {
+    /// d_max, m.
+    pub net_length: f64,
+    /// Poses of the left robot, at least two.
+    pub left: Vec<Pose>,
+    /// Poses of the right robot, as many.
+    pub right: Vec<Pose>,
+    /// Time from one waypoint to the next, s, when the file has it.
+    pub step_time: Option<f64>,
+    /// The scene that the plan says it is for.
+    pub scene: Option<SceneReference>,
+    /// What the command line changed against the scene.
+    pub overrides: Overrides,
+    /// The pair's centerline; empty when the file has none.
+    pub centerline: Vec<Pose>,
+    /// The baseline pair of the left and the right robot.
+    pub baseline: Option<(Vec<Pose>, Vec<Pose>)>,
+    /// Merged object circles; empty when the file has none.
+    pub circles: Vec<Circle>,
+    /// Visiting order; empty when the file has none.
+    pub order: Vec<usize>,
+    /// The paper's J as the file states it.
+    pub cost: Option<Cost>,
+}
+
+impl PlanFile {
+    /// The trajectories, on the plan's clock or, when the file has none, on the scene's default one.
+    pub fn trajectory(&self, scene: &Scene) -> PairTrajectory {
+        let step_time = self
+            .step_time
+            .unwrap_or_else(|| default_step_time(&scene.robot, &scene.planner));
+        PairTrajectory {
+            left: self.left.clone(),
+            right: self.right.clone(),
+            step_time,
+        }
+    }
+}
+
+/// Reads a plan file.
+///
+/// # Errors
+/// When it cannot be read, is not JSON, lacks one of the first four fields, or has numbers that mean nothing.
+pub fn read_plan(path: &Path) -> Result<PlanFile, FileError> {
+    let bytes = read_bounded(path, PLAN_BYTES)?;
+    parse_plan(text(path, &bytes)?, path)
+}
+
+/// Reads the text of a plan; `path` stands for the file in messages.
+///
+/// # Errors
+/// As [`read_plan`].
+pub fn parse_plan(text: &str, path: &Path) -> Result<PlanFile, FileError> {
+    let syntax = |e: serde_json::Error| FileError {
+        path: path.to_owned(),
+        line: (e.line() > 0).then(|| e.line()),
+        problem: Problem::Syntax {
+            reason: e.to_string(),
+        },
+    };
+    // The format first: a file of another kind has other fields.
+    let header: Header = serde_json::from_str(text).map_err(syntax)?;
+    match header.format {
+        Some(format) if format == FORMAT => {}
+        Some(found) => {
+            return Err(FileError::new(
+                path,
+                Problem::Format {
+                    found,
+                    expected: FORMAT,
+                },
+            ));
+        }
+        None => {
+            let remedy = format!("a plan starts with \"format\": {FORMAT:?}");
+            return Err(FileError::new(
+                path,
+                Problem::MissingKey {
+                    field: "format".to_owned(),
+                    remedy,
+                },
+            ));
+        }
+    }
+    let file: File = serde_json::from_str(text).map_err(syntax)?;
+    file.check()
+        .map_err(|problem| FileError::new(path, problem))?;
+    Ok(file.into())
+}
+
+#[derive(Deserialize)]
+struct Header {
+    format: Option<String>,
+}
+
+#[derive(Deserialize)]
+struct File {
+    net_length: f64,
+    left: Vec<[f64; 3]>,
+    right: Vec<[f64; 3]>,
+    step_time: Option<f64>,
+    scene: Option<Reference>,
+    #[serde(default)]
+    overrides: FileOverrides,
+    #[serde(default)]
+    centerline: Vec<[f64; 3]>,
+    baseline: Option<Baseline>,
+    #[serde(default)]
+    circles: Vec<FileCircle>,
+    #[serde(default)]
+    order: Vec<usize>,
+    cost: Option<FileCost>,
+}
+
+#[derive(Deserialize)]
+struct Reference {
+    #[serde(default)]
+    name: String,
+    sha256: String,
+}
+
+#[derive(Default, Deserialize)]
+struct FileOverrides {
+    net_length: Option<FileNetLength>,
+}
+
+#[derive(Clone, Copy, Deserialize)]
+#[serde(untagged)]
+enum FileNetLength {
+    Fixed(f64),
+    Auto(Auto),
+}
+
+#[derive(Clone, Copy, Deserialize)]
+#[serde(rename_all = "lowercase")]
+enum Auto {
+    Auto,
+}
+
+#[derive(Deserialize)]
+struct Baseline {
+    left: Vec<[f64; 3]>,
+    right: Vec<[f64; 3]>,
+}
+
+#[derive(Deserialize)]
+struct FileCircle {
+    center: [f64; 2],
+    radius: f64,
+    #[serde(default)]
+    objects: Vec<usize>,
+}
+
+#[derive(Deserialize)]
+#[serde(default)]
+#[derive(Default)]
+struct FileCost {
+    smoothness: f64,
+    distance: f64,
+    obstacle: f64,
+    expansion: f64,
+}
+
+impl File {
+    fn check(&self) -> Result<(), Problem> {
+        let refuse = |field: &str, value: String, bound: &str| {
+            Err(Problem::Value {
+                field: field.to_owned(),
+                value,
+                bound: bound.to_owned(),
+            })
+        };
+        let positive = |x: f64| x.is_finite() && x > 0.0;
+        if !positive(self.net_length) {
+            return refuse(
+                "net_length",
+                self.net_length.to_string(),
+                "finite and above zero (m)",
+            );
+        }
+        if let Some(step_time) = self.step_time
+            && !positive(step_time)
+        {
+            return refuse(
+                "step_time",
+                step_time.to_string(),
+                "finite and above zero (s)",
+            );
+        }
+        if self.left.len() < 2 {
+            return refuse(
+                "left",
+                format!("an array of {}", self.left.len()),
+                "an array of at least 2 poses",
+            );
+        }
+        if self.left.len() != self.right.len() {
+            let bound = format!("as long as left ({} poses)", self.left.len());
+            return refuse("right", format!("an array of {}", self.right.len()), &bound);
+        }
+        // JSON has no NaN and no infinity, and numbers that overflow are refused by its parser.
+        if let Some(FileNetLength::Fixed(length)) = self.overrides.net_length
+            && !positive(length)
+        {
+            return refuse(
+                "overrides.net_length",
+                length.to_string(),
+                "finite and above zero (m), or \"auto\"",
+            );
+        }
+        Ok(())
+    }
+}
+
+impl From<File> for PlanFile {
+    fn from(file: File) -> Self {
+        let poses = |raw: Vec<[f64; 3]>| raw.into_iter().map(Pose::from).collect::<Vec<_>>();
+        Self {
+            net_length: file.net_length,
+            left: poses(file.left),
+            right: poses(file.right),
+            step_time: file.step_time,
+            scene: file.scene.map(|s| SceneReference {
+                name: s.name,
+                sha256: s.sha256,
+            }),
+            overrides: Overrides {
+                net_length: file.overrides.net_length.map(|length| match length {
+                    FileNetLength::Fixed(length) => Some(length),
+                    FileNetLength::Auto(Auto::Auto) => None,
+                }),
+            },
+            centerline: poses(file.centerline),
+            baseline: file.baseline.map(|b| (poses(b.left), poses(b.right))),
+            circles: (file.circles.into_iter())
+                .map(|c| Circle {
+                    center: Point::from(c.center),
+                    radius: c.radius,
+                    objects: c.objects,
+                })
+                .collect(),
+            order: file.order,
+            cost: file.cost.map(|c| Cost {
+                smoothness: c.smoothness,
+                distance: c.distance,
+                obstacle: c.obstacle,
+                expansion: c.expansion,
+            }),
+        }
+    }
+}

@@ -1,0 +1,179 @@
+//! `[area]`: a rectangle or a ROS map.
+
+use super::ReadFile;
+use crate::files::limits::{MAP_IMAGE_BYTES, MAP_YAML_BYTES};
+use crate::files::toml_reader::{FARTHEST, Range, Table, Value};
+use crate::files::{FileError, Problem};
+use pairtrawl_geometry::Point;
+use pairtrawl_model::{Area, OccupancyMap};
+use pairtrawl_world::grid_size;
+use pairtrawl_world::ros_map::{MapMetadata, Unknown, decode};
+use std::path::Path;
+
+/// Cell size of the occupancy grid when the scene gives none, m.
+const DEFAULT_RESOLUTION: f64 = 0.05;
+
+/// What `[area]` says.
+pub(super) struct ReadArea {
+    pub area: Area,
+    pub map: Option<OccupancyMap>,
+    /// The map's YAML and its image.
+    pub hashed: Vec<Vec<u8>>,
+    pub warnings: Vec<String>,
+}
+
+pub(super) fn read(
+    root: &Table<'_>,
+    scene: &Path,
+    read_file: ReadFile<'_>,
+) -> Result<ReadArea, FileError> {
+    let table = root
+        .require("area", "give [area] with min and max, or with map")?
+        .table()?;
+    table.expect_keys(&["min", "max", "resolution", "map", "unknown"])?;
+    match table.get("map") {
+        Some(map) => from_map(&table, &map, scene, read_file),
+        None => rectangle(&table),
+    }
+}
+
+fn rectangle(table: &Table<'_>) -> Result<ReadArea, FileError> {
+    let corner = |key| {
+        table.require(
+            key,
+            "give the rectangle's corners min and max, [x, y], or a map",
+        )
+    };
+    let (min, max) = (corner("min")?.point()?, corner("max")?.point()?);
+    if let Some(unknown) = table.get("unknown") {
+        let reason = "only a map has unknown cells: remove it, or give map".to_owned();
+        return Err(unknown.error(Problem::Conflict {
+            field: unknown.name().to_owned(),
+            reason,
+        }));
+    }
+    if min.x >= max.x || min.y >= max.y {
+        let reason = format!(
+            "[{}, {}] does not lie above and right of min [{}, {}]",
+            max.x, max.y, min.x, min.y
+        );
+        return Err(corner("max")?.error(Problem::Conflict {
+            field: table.field("max"),
+            reason,
+        }));
+    }
+    let mut resolution = DEFAULT_RESOLUTION;
+    table.update("resolution", Range::Positive, &mut resolution)?;
+    let area = Area {
+        min,
+        max,
+        resolution,
+    };
+    check_grid(table, &area)?;
+    Ok(ReadArea {
+        area,
+        map: None,
+        hashed: Vec::new(),
+        warnings: Vec::new(),
+    })
+}
+
+fn check_grid(table: &Table<'_>, area: &Area) -> Result<(), FileError> {
+    let size = area.max - area.min;
+    match grid_size(size.x, size.y, area.resolution) {
+        Ok(_) => Ok(()),
+        Err(e) => Err(table
+            .get("resolution")
+            .map_or_else(|| table.error(e.clone()), |v| v.error(e.clone()))),
+    }
+}
+
+fn from_map(
+    table: &Table<'_>,
+    map: &Value<'_>,
+    scene: &Path,
+    read_file: ReadFile<'_>,
+) -> Result<ReadArea, FileError> {
+    for key in ["min", "max", "resolution"] {
+        if let Some(value) = table.get(key) {
+            let reason = format!(
+                "stands beside map, which gives the area and its resolution: remove {key} or map"
+            );
+            return Err(value.error(Problem::Conflict {
+                field: value.name().to_owned(),
+                reason,
+            }));
+        }
+    }
+    let unknown = match table.get("unknown") {
+        None => Unknown::Occupied,
+        Some(value) => match value.text()? {
+            "free" => Unknown::Free,
+            "occupied" => Unknown::Occupied,
+            _ => return Err(value.refuse("\"free\" or \"occupied\"")),
+        },
+    };
+    let yaml_path = beside(scene, map.text()?);
+    let yaml = read_file(&yaml_path, MAP_YAML_BYTES)?;
+    let metadata = MapMetadata::parse(&yaml).map_err(|e| FileError::new(&yaml_path, e))?;
+    let image_path = beside(&yaml_path, &metadata.image);
+    let image = read_file(&image_path, MAP_IMAGE_BYTES)?;
+    let decoded = decode(&metadata, &image, unknown).map_err(|e| FileError::new(&image_path, e))?;
+    let map = decoded.map;
+    let area = bounding_area(&map);
+    for corner in [area.min, area.max] {
+        if !(corner.x.abs() <= FARTHEST && corner.y.abs() <= FARTHEST) {
+            let value = format!("such that the map reaches ({}, {})", corner.x, corner.y);
+            let bound = "such that coordinates stay between -1e6 and 1e6 (m)".to_owned();
+            return Err(FileError::new(
+                &yaml_path,
+                Problem::Value {
+                    field: "origin or resolution".to_owned(),
+                    value,
+                    bound,
+                },
+            ));
+        }
+    }
+    let (width, height) = (
+        map.columns as f64 * map.resolution,
+        map.rows as f64 * map.resolution,
+    );
+    grid_size(width, height, map.resolution).map_err(|e| FileError::new(&yaml_path, e))?;
+    let warnings = decoded
+        .warnings
+        .iter()
+        .map(|w| format!("{}: {w}", yaml_path.display()))
+        .collect();
+    Ok(ReadArea {
+        area,
+        map: Some(map),
+        hashed: vec![yaml, image],
+        warnings,
+    })
+}
+
+/// A path that is relative to the folder of another file.
+fn beside(file: &Path, name: &str) -> std::path::PathBuf {
+    file.parent().unwrap_or_else(|| Path::new("")).join(name)
+}
+
+/// The axis-parallel rectangle around a map, which may be turned.
+fn bounding_area(map: &OccupancyMap) -> Area {
+    let (w, h) = (map.columns as f64, map.rows as f64);
+    let corners =
+        [(0.0, 0.0), (w, 0.0), (w, h), (0.0, h)].map(|(x, y)| map.from_cells(Point::new(x, y)));
+    let least = |f: fn(Point) -> f64| corners.iter().copied().map(f).fold(f64::INFINITY, f64::min);
+    let most = |f: fn(Point) -> f64| {
+        corners
+            .iter()
+            .copied()
+            .map(f)
+            .fold(f64::NEG_INFINITY, f64::max)
+    };
+    Area {
+        min: Point::new(least(|p| p.x), least(|p| p.y)),
+        max: Point::new(most(|p| p.x), most(|p| p.y)),
+        resolution: map.resolution,
+    }
+}

@@ -1,0 +1,177 @@
+//! `[robot]`, `[net]`, `[planner]` and `[physics]`. Keys are named as the fields of the model's types.
+
+use crate::files::FileError;
+use crate::files::toml_reader::Range::{NotNegative, Positive, UpTo};
+use crate::files::toml_reader::{Range, Table};
+use pairtrawl_model::{NetSpec, PhysicsParameters, PlannerParameters, Robot};
+use std::f64::consts::{FRAC_PI_2, PI};
+
+/// Bounds that keep a run finite.
+const MOST_WAYPOINTS: usize = 100_000;
+const MOST_ALTERNATIONS: usize = 10_000;
+const MOST_NET_POINTS: usize = 10_000;
+
+pub(super) fn robot(root: &Table<'_>) -> Result<Robot, FileError> {
+    let mut robot = Robot::default();
+    if let Some(table) = root.table("robot")? {
+        set(
+            &table,
+            &mut [
+                ("radius", UpTo(1e3), &mut robot.radius),
+                ("hitch", NotNegative, &mut robot.hitch),
+                ("v_max", UpTo(1e3), &mut robot.v_max),
+                ("omega_max", UpTo(1e3), &mut robot.omega_max),
+                ("half_track", UpTo(1e3), &mut robot.half_track),
+            ],
+            &[],
+        )?;
+    }
+    Ok(robot)
+}
+
+pub(super) fn net(root: &Table<'_>) -> Result<NetSpec, FileError> {
+    let Some(table) = root.table("net")? else {
+        return Ok(NetSpec::default());
+    };
+    table.expect_keys(&["length", "start"])?;
+    let length = table
+        .get("length")
+        .map(|v| v.number(UpTo(1e3)))
+        .transpose()?;
+    let start = (table.get("start"))
+        .map(|v| {
+            v.elements(2, MOST_NET_POINTS)?
+                .iter()
+                .map(|p| p.point())
+                .collect::<Result<Vec<_>, _>>()
+        })
+        .transpose()?;
+    Ok(NetSpec { length, start })
+}
+
+pub(super) fn planner(root: &Table<'_>) -> Result<PlannerParameters, FileError> {
+    let mut p = PlannerParameters::default();
+    let Some(table) = root.table("planner")? else {
+        return Ok(p);
+    };
+    set(
+        &table,
+        &mut [
+            ("max_step", UpTo(1.0), &mut p.max_step),
+            ("max_turn", UpTo(PI), &mut p.max_turn),
+            ("max_skew", UpTo(FRAC_PI_2), &mut p.max_skew),
+            ("clearance", NotNegative, &mut p.clearance),
+            ("cruise", UpTo(1e3), &mut p.cruise),
+            ("half_separation", UpTo(1e3), &mut p.half_separation),
+            ("min_ratio", UpTo(1.0), &mut p.min_ratio),
+            ("rest_ratio", UpTo(1.0), &mut p.rest_ratio),
+            ("k1", NotNegative, &mut p.k1),
+            ("k2", NotNegative, &mut p.k2),
+            ("k3", NotNegative, &mut p.k3),
+            ("t1", NotNegative, &mut p.t1),
+            ("t2", NotNegative, &mut p.t2),
+            ("kd1", NotNegative, &mut p.kd1),
+            ("kd2", NotNegative, &mut p.kd2),
+            ("b1", NotNegative, &mut p.b1),
+            ("b2", NotNegative, &mut p.b2),
+            ("b3", NotNegative, &mut p.b3),
+            ("a1", NotNegative, &mut p.a1),
+            ("a2", NotNegative, &mut p.a2),
+            ("a3", NotNegative, &mut p.a3),
+            ("a4", NotNegative, &mut p.a4),
+        ],
+        &["circle_margin", "waypoints", "alternations"],
+    )?;
+    if let Some(value) = table.get("circle_margin") {
+        p.circle_margin = Some(value.number(NotNegative)?);
+    }
+    if let Some(value) = table.get("waypoints") {
+        p.waypoints = Some(value.count(3, MOST_WAYPOINTS)?);
+    }
+    if let Some(value) = table.get("alternations") {
+        p.alternations = value.count(1, MOST_ALTERNATIONS)?;
+    }
+    for (low, high, which) in [
+        (p.min_ratio, p.rest_ratio, "rest_ratio"),
+        (p.rest_ratio, 1.0, "1"),
+    ] {
+        if low >= high {
+            let key = if which == "1" {
+                "rest_ratio"
+            } else {
+                "min_ratio"
+            };
+            return Err(table.get(key).map_or_else(
+                || table.error(ratio_problem(&table, key, low, which, high)),
+                |v| v.error(ratio_problem(&table, key, low, which, high)),
+            ));
+        }
+    }
+    Ok(p)
+}
+
+fn ratio_problem(
+    table: &Table<'_>,
+    key: &str,
+    value: f64,
+    bound: &str,
+    limit: f64,
+) -> crate::files::Problem {
+    let bound = if bound == "1" {
+        "below 1".to_owned()
+    } else {
+        format!("below {bound} ({limit})")
+    };
+    crate::files::Problem::Value {
+        field: table.field(key),
+        value: value.to_string(),
+        bound,
+    }
+}
+
+pub(super) fn physics(root: &Table<'_>) -> Result<PhysicsParameters, FileError> {
+    let mut p = PhysicsParameters::default();
+    let Some(table) = root.table("physics")? else {
+        return Ok(p);
+    };
+    set(
+        &table,
+        &mut [
+            ("gravity", UpTo(1e3), &mut p.gravity),
+            ("robot_mass", UpTo(1e6), &mut p.robot_mass),
+            ("robot_inertia", UpTo(1e6), &mut p.robot_inertia),
+            ("center_of_mass", NotNegative, &mut p.center_of_mass),
+            ("wheel_radius", UpTo(1e3), &mut p.wheel_radius),
+            ("max_torque", Positive, &mut p.max_torque),
+            ("wheel_friction", UpTo(1e3), &mut p.wheel_friction),
+            ("net_mass", UpTo(1e3), &mut p.net_mass),
+            ("net_link", UpTo(1e3), &mut p.net_link),
+            ("net_thickness", UpTo(1e3), &mut p.net_thickness),
+            ("net_height", UpTo(1e3), &mut p.net_height),
+            ("hinge_damping", NotNegative, &mut p.hinge_damping),
+            ("net_friction", NotNegative, &mut p.net_friction),
+            ("object_friction", NotNegative, &mut p.object_friction),
+            ("contact_friction", NotNegative, &mut p.contact_friction),
+            ("tension_limit", Positive, &mut p.tension_limit),
+        ],
+        &[],
+    )?;
+    Ok(p)
+}
+
+/// Refuses unknown keys and sets the fields whose keys are there; `others` are keys that the caller reads itself.
+fn set(
+    table: &Table<'_>,
+    fields: &mut [(&str, Range, &mut f64)],
+    others: &[&str],
+) -> Result<(), FileError> {
+    let known: Vec<&str> = fields
+        .iter()
+        .map(|(key, ..)| *key)
+        .chain(others.iter().copied())
+        .collect();
+    table.expect_keys(&known)?;
+    fields
+        .iter_mut()
+        .try_for_each(|(key, range, target)| table.update(key, *range, target))
+}
