@@ -1,1 +1,13 @@
-//! Pages, pictures and tables of plans and runs.
+//! Pages, pictures and tables of plans and runs. Everything here renders a finished [`pairtrawl_model::Summary`] (or
+//! [`pairtrawl_model::LengthCurve`]) and computes nothing but where on the paper things go.
+
+mod axis;
+mod frame;
+mod map;
+mod page;
+mod plan_svg;
+mod svg;
+mod words;
+
+pub use page::report_html;
+pub use plan_svg::plan_svg;

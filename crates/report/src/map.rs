@@ -1,0 +1,12 @@
+//! The map: what is drawn where, for the picture and for the page.
+
+mod layers;
+mod legend;
+mod projection;
+
+pub(crate) use layers::Layer;
+pub(crate) use legend::{Sign, sign};
+pub(crate) use projection::{Projection, View};
+
+/// Style of everything on a map, light and dark.
+pub(crate) const STYLE: &str = include_str!("../assets/map.css");

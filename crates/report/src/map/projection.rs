@@ -1,0 +1,95 @@
+use crate::svg::Rounded;
+use pairtrawl_geometry::Point;
+use pairtrawl_model::SceneOutline;
+
+/// The part of the floor that is drawn.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct View {
+    /// Lower left corner, m.
+    pub min: Point,
+    /// Upper right corner, m.
+    pub max: Point,
+}
+
+impl View {
+    /// The area and as much around it as a robot at its border needs.
+    pub fn of(outline: &SceneOutline) -> Self {
+        let margin = outline.robot.radius + 0.02 * (outline.area.max - outline.area.min).norm();
+        let margin = Point::new(margin, margin);
+        Self {
+            min: outline.area.min - margin,
+            max: outline.area.max + margin,
+        }
+    }
+
+    pub fn width(&self) -> f64 {
+        self.max.x - self.min.x
+    }
+
+    pub fn height(&self) -> f64 {
+        self.max.y - self.min.y
+    }
+}
+
+/// From the map frame to the coordinates of a drawing.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct Projection {
+    origin: Point,
+    scale: f64,
+    /// 1: y up as in the map frame; -1: y down as on a screen.
+    up: f64,
+    decimals: usize,
+}
+
+impl Projection {
+    /// To pixels, y down: the view's upper left corner comes to lie at `corner`.
+    pub fn pixels(view: &View, scale: f64, corner: Point) -> Self {
+        Self {
+            origin: Point::new(corner.x - scale * view.min.x, corner.y + scale * view.max.y),
+            scale,
+            up: -1.0,
+            decimals: 2,
+        }
+    }
+
+    /// To meters as they are, y up, to the millimeter: for a group that is transformed as a whole.
+    pub fn meters() -> Self {
+        Self {
+            origin: Point::ZERO,
+            scale: 1.0,
+            up: 1.0,
+            decimals: 3,
+        }
+    }
+
+    pub fn x(&self, x: f64) -> Rounded {
+        Rounded(self.origin.x + self.scale * x, self.decimals)
+    }
+
+    pub fn y(&self, y: f64) -> Rounded {
+        Rounded(self.origin.y + self.up * self.scale * y, self.decimals)
+    }
+
+    pub fn length(&self, length: f64) -> Rounded {
+        Rounded(self.scale * length, self.decimals)
+    }
+
+    /// Path data of a polyline; points that are not finite are left out.
+    pub fn path(&self, points: impl IntoIterator<Item = Point>) -> String {
+        let mut d = String::new();
+        for p in points.into_iter().filter(|p| p.is_finite()) {
+            d.push(if d.is_empty() { 'M' } else { 'L' });
+            d.push_str(&format!("{} {}", self.x(p.x), self.y(p.y)));
+        }
+        d
+    }
+
+    /// Path data of a closed ring.
+    pub fn ring(&self, points: impl IntoIterator<Item = Point>) -> String {
+        let mut d = self.path(points);
+        if !d.is_empty() {
+            d.push('Z');
+        }
+        d
+    }
+}

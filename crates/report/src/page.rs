@@ -1,0 +1,272 @@
+//! The page: one HTML document that needs nothing else.
+
+mod data;
+mod tables;
+
+use crate::map::{self, Layer, Projection, View};
+use crate::svg::{Rounded, Writer, escape};
+use crate::words;
+use pairtrawl_geometry::Point;
+use pairtrawl_model::{Rehearsal, Summary};
+
+const STYLE: &str = include_str!("../assets/page.css");
+const SCRIPTS: [&str; 4] = [
+    include_str!("../assets/data.js"),
+    include_str!("../assets/player.js"),
+    include_str!("../assets/map.js"),
+    include_str!("../assets/plots.js"),
+];
+
+/// One self-contained HTML page about a plan, light or dark as the reader prefers, without any external resource: the
+/// map in motion, curves over time, certificate, cost and everything else in the summary. The fragment `#t=12.5` opens
+/// it at a time, `#t=12.5&show=rehearsal` shows the rehearsal there (or `run`).
+pub fn report_html(summary: &Summary) -> String {
+    let mut w = Writer::default();
+    w.raw("<!DOCTYPE html>\n");
+    w.open("html", &[("lang", &"en")]);
+    head(&mut w, summary);
+    w.open("body", &[]);
+    header(&mut w, summary);
+    w.open("main", &[]);
+    tables::warnings(&mut w, summary);
+    player(&mut w, summary);
+    map_section(&mut w, summary);
+    w.open(
+        "section",
+        &[("id", &"plots"), ("aria-label", &"Curves over time")],
+    );
+    w.close();
+    w.open("div", &[("class", &"columns")]);
+    tables::certificate(&mut w, summary);
+    w.open("div", &[]);
+    tables::cost(&mut w, summary);
+    tables::making(&mut w, summary);
+    w.close();
+    w.close();
+    tables::events(&mut w, summary);
+    tables::trials(&mut w, summary);
+    w.close();
+    w.raw("<script type=\"application/json\" id=\"data\">");
+    w.raw(&data::embedded(summary));
+    w.raw("</script>\n<script>\n");
+    // The scripts are ours and hold no closing tag.
+    for script in SCRIPTS {
+        w.raw(script);
+    }
+    w.raw("</script>\n");
+    w.finish()
+}
+
+fn head(w: &mut Writer, summary: &Summary) {
+    w.open("head", &[]);
+    w.raw("<meta charset=\"utf-8\">\n");
+    w.raw("<meta name=\"viewport\" content=\"width=device-width, initial-scale=1\">\n");
+    w.raw("<meta name=\"color-scheme\" content=\"light dark\">\n");
+    // An empty icon keeps browsers from asking a server for one.
+    w.raw("<link rel=\"icon\" href=\"data:,\">\n");
+    w.text("title", &[], &format!("{} \u{b7} Pairtrawl", summary.title));
+    w.raw("<style>\n");
+    w.raw(map::STYLE);
+    w.raw(STYLE);
+    w.raw("</style>\n");
+    w.close();
+}
+
+fn header(w: &mut Writer, summary: &Summary) {
+    w.open("header", &[]);
+    w.text("h1", &[], &summary.title);
+    w.text("p", &[("class", &"facts")], &words::facts(summary));
+    w.open("p", &[("class", &"badges")]);
+    let valid = !summary.claims.is_empty() && summary.claims.iter().all(|c| c.claim.holds);
+    let proof = if valid {
+        ("good", "\u{2713} certified")
+    } else {
+        ("bad", "\u{2717} not certified")
+    };
+    let rehearsal = match summary.rehearsal {
+        Rehearsal::Passed => ("good", "\u{2713} rehearsal passed"),
+        Rehearsal::Failed { .. } => ("bad", "\u{2717} rehearsal failed"),
+        Rehearsal::Skipped => ("plain", "not rehearsed"),
+    };
+    for (class, text) in [proof, rehearsal] {
+        w.text("span", &[("class", &format_args!("badge {class}"))], text);
+    }
+    w.close();
+    w.close();
+}
+
+fn player(w: &mut Writer, summary: &Summary) {
+    w.open(
+        "div",
+        &[
+            ("id", &"player"),
+            ("role", &"group"),
+            ("aria-label", &"Playback"),
+        ],
+    );
+    for (id, label, sign) in [
+        ("first", "To the start (Home)", "\u{23ee}\u{fe0e}"),
+        ("back", "One step back (left arrow)", "\u{25c2}"),
+        ("play", "Play or pause (space)", "\u{25b6}\u{fe0e}"),
+        ("forward", "One step forward (right arrow)", "\u{25b8}"),
+        ("last", "To the end (End)", "\u{23ed}\u{fe0e}"),
+    ] {
+        let attributes: crate::svg::Attributes = &[
+            ("type", &"button"),
+            ("id", &id),
+            ("title", &label),
+            ("aria-label", &label),
+        ];
+        w.text("button", attributes, sign);
+    }
+    let end = Rounded(summary.duration, 4);
+    w.raw(&format!(
+        "<input type=\"range\" id=\"time\" min=\"0\" max=\"{end}\" step=\"any\" value=\"0\" aria-label=\"Time\">\n"
+    ));
+    w.text("output", &[("id", &"readout"), ("for", &"time")], "0.0 s");
+    w.open("label", &[("title", &"Playback speed")]);
+    w.text("span", &[], "speed");
+    w.open("select", &[("id", &"speed")]);
+    for (value, label) in [
+        ("0.25", "\u{bc}\u{d7}"),
+        ("0.5", "\u{bd}\u{d7}"),
+        ("1", "1\u{d7}"),
+        ("2", "2\u{d7}"),
+        ("5", "5\u{d7}"),
+        ("10", "10\u{d7}"),
+        ("20", "20\u{d7}"),
+    ] {
+        match value {
+            "5" => w.text(
+                "option",
+                &[("value", &value), ("selected", &"selected")],
+                label,
+            ),
+            _ => w.text("option", &[("value", &value)], label),
+        }
+    }
+    w.close();
+    w.close();
+    let mut sources = vec!["plan"];
+    sources.extend(summary.frames.as_ref().map(|_| "rehearsal"));
+    let run = summary.execution.as_ref().and_then(|e| e.frames.as_ref());
+    sources.extend(run.map(|_| "run"));
+    if sources.len() > 1 {
+        w.open("label", &[("title", &"What moves on the map")]);
+        w.text("span", &[], "show");
+        w.open("select", &[("id", &"source")]);
+        for source in sources {
+            w.text("option", &[("value", &source)], source);
+        }
+        w.close();
+        w.close();
+    }
+    w.close();
+}
+
+/// Width of the map before the script has measured the window, px.
+const WIDTH: f64 = 960.0;
+
+fn map_section(w: &mut Writer, summary: &Summary) {
+    let view = View::of(&summary.outline);
+    w.open(
+        "section",
+        &[
+            ("id", &"map-card"),
+            ("class", &"card"),
+            ("aria-label", &"Map"),
+        ],
+    );
+    w.open("div", &[("id", &"map-box")]);
+    let scale = WIDTH / view.width();
+    let height = scale * view.height();
+    let size = format!("0 0 {} {}", Rounded(WIDTH, 1), Rounded(height, 1));
+    let label = format!(
+        "Map of {}: scene, trajectories and the moving pair",
+        summary.title
+    );
+    w.open(
+        "svg",
+        &[
+            ("id", &"map"),
+            ("viewBox", &size),
+            ("role", &"img"),
+            ("aria-label", &label),
+        ],
+    );
+    w.open("g", &[("id", &"map-axes")]);
+    w.close();
+    w.open(
+        "svg",
+        &[
+            ("id", &"map-window"),
+            ("width", &"100%"),
+            ("height", &"100%"),
+        ],
+    );
+    let corner = Point::new(-scale * view.min.x, scale * view.max.y);
+    let transform = format!(
+        "matrix({0} 0 0 -{0} {1} {2})",
+        Rounded(scale, 4),
+        Rounded(corner.x, 2),
+        Rounded(corner.y, 2)
+    );
+    w.open("g", &[("id", &"world"), ("transform", &transform)]);
+    for layer in Layer::ALL {
+        if layer.is_present(summary) {
+            w.open("g", &[("id", &format_args!("layer-{}", layer.key()))]);
+            layer.draw(w, summary, &Projection::meters());
+            w.close();
+        }
+    }
+    w.open("g", &[("id", &"duo")]);
+    w.close();
+    w.close();
+    w.close();
+    w.close();
+    w.open(
+        "div",
+        &[("id", &"zoom"), ("role", &"group"), ("aria-label", &"Zoom")],
+    );
+    for (id, label, sign) in [
+        ("zoom-in", "Zoom in", "+"),
+        ("zoom-out", "Zoom out", "\u{2212}"),
+        ("zoom-fit", "Show everything", "\u{2922}"),
+    ] {
+        let attributes: crate::svg::Attributes = &[
+            ("type", &"button"),
+            ("id", &id),
+            ("title", &label),
+            ("aria-label", &label),
+        ];
+        w.text("button", attributes, sign);
+    }
+    w.close();
+    w.close();
+    toggles(w, summary);
+    w.raw("<noscript><p>The map moves and the curves appear when scripts are allowed; the numbers below are complete without.</p></noscript>\n");
+    w.close();
+}
+
+/// One check box a layer, with its sign: the map's legend.
+fn toggles(w: &mut Writer, summary: &Summary) {
+    w.raw("<fieldset id=\"layers\"><legend>Show</legend>\n");
+    for layer in Layer::ALL.into_iter().filter(|l| l.is_present(summary)) {
+        // The baseline is a matter of debugging: there, but not in the way.
+        let checked = if layer == Layer::Baseline {
+            ""
+        } else {
+            " checked"
+        };
+        let key = layer.key();
+        w.raw(&format!(
+            "<label><input type=\"checkbox\" data-layer=\"layer-{key}\"{checked}>"
+        ));
+        w.raw("<svg width=\"30\" height=\"14\" aria-hidden=\"true\">");
+        for (class, sign, x, y, width) in layer.signs() {
+            map::sign(w, class, *sign, *x, *y, *width);
+        }
+        w.raw(&format!("</svg>{}</label>\n", escape(layer.label())));
+    }
+    w.raw("</fieldset>\n");
+}
