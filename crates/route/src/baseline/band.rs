@@ -1,0 +1,193 @@
+//! How far left and right of the centerline the robots drive.
+
+use super::candidates::outer_candidates;
+use crate::centerline::smooth::attach;
+use crate::polyline::arc_lengths;
+use crate::terrain::{Disc, Terrain};
+use pairtrawl_geometry::{Point, Pose};
+use pairtrawl_model::{Circle, Scene};
+
+/// Steepest change of an offset per meter of centerline: circle borders are blended with it.
+const SLOPE: f64 = 0.45;
+/// Step in which the room beside the centerline is measured, m.
+const PROBE: f64 = 0.02;
+/// Largest product of curvature and inner offset: at 1 the inner robot would stand still.
+const INNER: f64 = 0.85;
+/// How far along the centerline an object is looked for around the place where its circle is visited, m.
+const WINDOW: f64 = 0.8;
+
+/// One object with the place where the pair takes it.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct Visit {
+    pub object: Disc,
+    /// Index of the centerline pose abreast of it.
+    pub index: usize,
+}
+
+/// Offsets of both robots from the centerline, m, both counted positive outwards.
+pub(crate) struct Band {
+    pub left: Vec<f64>,
+    pub right: Vec<f64>,
+    pub visits: Vec<Visit>,
+}
+
+/// Offsets that give every visited object its room, then keep both robots where obstacles leave room.
+pub(crate) fn band(
+    terrain: &Terrain,
+    scene: &Scene,
+    centerline: &[Pose],
+    circles: &[&Circle],
+) -> Band {
+    let points: Vec<Point> = centerline.iter().map(|p| p.position()).collect();
+    let s = arc_lengths(&points);
+    let n = centerline.len();
+    let pair = &terrain.pair;
+    let centers: Vec<Point> = circles.iter().map(|c| c.center).collect();
+    let at = attach(&points, &centers);
+    let mut left = vec![pair.half_separation; n];
+    let mut right = left.clone();
+    let mut visits = Vec::new();
+    for (circle, &here) in circles.iter().zip(&at) {
+        let near = |i: &usize, reach: f64| (s[*i] - s[here]).abs() <= reach;
+        for i in (0..n).filter(|i| near(i, circle.radius + 0.1)) {
+            if points[i].distance(circle.center) <= circle.radius {
+                let (outer_left, outer_right) =
+                    outer_candidates(centerline[i], circle, pair.half_separation);
+                left[i] = left[i].max(outer_left);
+                right[i] = right[i].max(-outer_right);
+            }
+        }
+        for &object in &circle.objects {
+            let Some(&object) = terrain.objects.get(object) else {
+                continue;
+            };
+            let window = circle.radius + WINDOW;
+            let distance = |i: usize| points[i].distance(object.center);
+            let index = (0..n)
+                .filter(|i| near(i, window))
+                .min_by(|&a, &b| distance(a).total_cmp(&distance(b)))
+                .unwrap_or(here);
+            let offset = (object.center - points[index]).dot(centerline[index].forward().perp());
+            let keep = object.radius + pair.radius + pair.clearance;
+            left[index] = left[index].max(offset + keep);
+            right[index] = right[index].max(keep - offset);
+            visits.push(Visit { object, index });
+        }
+    }
+    let ends = [
+        (0, scene.start.separation()),
+        (n - 1, scene.end.separation()),
+    ];
+    for (i, separation) in ends {
+        left[i] = left[i].max(0.5 * separation);
+        right[i] = right[i].max(0.5 * separation);
+    }
+    rise(&s, &mut left);
+    rise(&s, &mut right);
+    let mut room_left = room(terrain, centerline, 1.0, &left);
+    let mut room_right = room(terrain, centerline, -1.0, &right);
+    lower(&s, &mut room_left);
+    lower(&s, &mut room_right);
+    for i in 0..n {
+        // The outer one gives what the inner one must give up in a bend.
+        let bend = curvature(centerline, &s, i);
+        let wanted = left[i] + right[i];
+        let inner = if bend.abs() > 1e-6 {
+            INNER / bend.abs()
+        } else {
+            f64::INFINITY
+        };
+        let side = if bend > 0.0 { &mut left } else { &mut right };
+        side[i] = side[i].min(inner);
+        let least = wanted.min(2.0 * pair.min_half);
+        let limited = (left[i].min(room_left[i]), right[i].min(room_right[i]));
+        let missing = (least - limited.0 - limited.1).max(0.0);
+        // What one side lacks to the least separation, the other adds where it has room; the rest is shared.
+        let spare = (
+            (room_left[i] - limited.0).max(0.0),
+            (room_right[i] - limited.1).max(0.0),
+        );
+        let total = spare.0 + spare.1;
+        let give = missing.min(total);
+        let share = if total > 0.0 {
+            (give * spare.0 / total, give * spare.1 / total)
+        } else {
+            (0.0, 0.0)
+        };
+        let rest = 0.5 * (missing - give);
+        left[i] = limited.0 + share.0 + rest;
+        right[i] = limited.1 + share.1 + rest;
+        let most = 2.0 * pair.max_half;
+        let scale = (most / (left[i] + right[i])).min(1.0);
+        left[i] *= scale;
+        right[i] *= scale;
+    }
+    Band {
+        left,
+        right,
+        visits,
+    }
+}
+
+/// Signed curvature at a pose, positive to the left, 1/m.
+fn curvature(poses: &[Pose], s: &[f64], i: usize) -> f64 {
+    let (a, b) = (i.saturating_sub(2), (i + 2).min(poses.len() - 1));
+    let ds = s[b] - s[a];
+    if ds > 1e-9 {
+        (poses[b].heading - poses[a].heading) / ds
+    } else {
+        0.0
+    }
+}
+
+/// Raises values beside peaks: max_j (v_j - SLOPE |s_i - s_j|).
+fn rise(s: &[f64], v: &mut [f64]) {
+    for i in 1..v.len() {
+        v[i] = v[i].max(v[i - 1] - SLOPE * (s[i] - s[i - 1]));
+    }
+    for i in (0..v.len().saturating_sub(1)).rev() {
+        v[i] = v[i].max(v[i + 1] - SLOPE * (s[i + 1] - s[i]));
+    }
+}
+
+/// Lowers values beside dips: min_j (v_j + SLOPE |s_i - s_j|).
+fn lower(s: &[f64], v: &mut [f64]) {
+    v.iter_mut().for_each(|x| *x = -*x);
+    rise(s, v);
+    v.iter_mut().for_each(|x| *x = -*x);
+}
+
+/// The farthest that a robot may drive on one side, up to what it wants and a little more; where its margin is nowhere
+/// kept, where it comes nearest to keeping it.
+fn room(terrain: &Terrain, centerline: &[Pose], side: f64, wanted: &[f64]) -> Vec<f64> {
+    let keep = terrain.pair.radius + terrain.pair.clearance;
+    let most = 2.0 * terrain.pair.max_half;
+    centerline
+        .iter()
+        .zip(wanted)
+        .map(|(pose, wanted)| {
+            let normal = pose.forward().perp() * side;
+            let center = pose.position();
+            if terrain.distance(center) > wanted + 0.3 + keep {
+                return wanted + 0.3;
+            }
+            let mut room = None;
+            let mut roomiest = (f64::NEG_INFINITY, 0.0);
+            let mut offset = 0.0;
+            while offset <= (wanted + 0.3).min(most) {
+                let d = terrain.distance(center + normal * offset);
+                if d < 0.01 {
+                    break;
+                }
+                if d >= keep {
+                    room = Some(offset);
+                }
+                if offset > 0.1 && d > roomiest.0 {
+                    roomiest = (d, offset);
+                }
+                offset += PROBE;
+            }
+            room.unwrap_or(roomiest.1)
+        })
+        .collect()
+}

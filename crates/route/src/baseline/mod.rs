@@ -1,0 +1,95 @@
+//! The baseline pair: two robots on either side of the centerline.
+
+mod band;
+mod candidates;
+mod timing;
+mod tracks;
+
+use crate::RouteError;
+use crate::centerline::check_order;
+use crate::polyline::{resample, with_headings};
+use crate::terrain::Terrain;
+use pairtrawl_geometry::{Point, Pose};
+use pairtrawl_model::{Circle, PairTrajectory, Scene};
+use pairtrawl_world::World;
+use tracks::Tracks;
+
+/// Spacing of the tracks before they are put on the clock, m.
+const SPACING: f64 = 0.05;
+
+/// The optimizer's start: N waypoints of both robots abreast on the sides of the centerline (eqs. 1 to 3, Fig. 3).
+///
+/// Away from circles the robots drive `half_separation` beside the centerline; at a circle the two outer ones of the four
+/// candidates are taken. The band then widens where an object needs it, narrows or shifts where obstacles leave no room, is
+/// blended along the way and relaxed, so that every object lies between the robots and no obstacle does.
+///
+/// `waypoints` is N; `None` takes `scene.planner.waypoints`, and without that `ceil(1.3 L / max_step) + 1` for the longer
+/// path L, or more where turns ask for it. Waypoints are spaced so that the faster robot moves evenly: with the default N
+/// neither step exceeds `max_step`. Headings follow each robot's own way and are continuous; first and last poses are the
+/// scene's, the last heading up to whole turns.
+///
+/// # Errors
+/// [`RouteError::BadCenterline`], [`RouteError::BadOrder`], [`RouteError::TooFewWaypoints`].
+pub fn baseline(
+    world: &World,
+    scene: &Scene,
+    centerline: &[Pose],
+    order: &[usize],
+    waypoints: Option<usize>,
+) -> Result<PairTrajectory, RouteError> {
+    on_terrain(
+        &Terrain::new(world, scene),
+        scene,
+        &world.circles,
+        centerline,
+        order,
+        waypoints,
+    )
+}
+
+pub(crate) fn on_terrain(
+    terrain: &Terrain,
+    scene: &Scene,
+    circles: &[Circle],
+    centerline: &[Pose],
+    order: &[usize],
+    waypoints: Option<usize>,
+) -> Result<PairTrajectory, RouteError> {
+    check_order(order, circles.len())?;
+    let poses = centerline.iter().filter(|p| p.is_finite()).count();
+    if poses < 2 || poses < centerline.len() {
+        return Err(RouteError::BadCenterline { poses });
+    }
+    if let Some(waypoints) = waypoints.or(scene.planner.waypoints).filter(|&w| w < 2) {
+        return Err(RouteError::TooFewWaypoints { waypoints });
+    }
+    let points: Vec<Point> = centerline.iter().map(|p| p.position()).collect();
+    let fine = resample(&points, SPACING);
+    let fine = with_headings(
+        &fine,
+        centerline[0].heading,
+        centerline[centerline.len() - 1].heading,
+    );
+    let visited: Vec<&Circle> = order.iter().map(|&i| &circles[i]).collect();
+    let band = band::band(terrain, scene, &fine, &visited);
+    let side = |offsets: &[f64], sign: f64| -> Vec<Point> {
+        fine.iter()
+            .zip(offsets)
+            .map(|(pose, w)| pose.position() + pose.forward().perp() * (sign * w))
+            .collect()
+    };
+    let mut tracks = Tracks {
+        left: side(&band.left, 1.0),
+        right: side(&band.right, -1.0),
+    };
+    let last = fine.len() - 1;
+    tracks.left[0] = scene.start.left.position();
+    tracks.right[0] = scene.start.right.position();
+    tracks.left[last] = scene.end.left.position();
+    tracks.right[last] = scene.end.right.position();
+    tracks.relax(terrain, scene, &fine, &band.visits);
+    let count = waypoints
+        .or(scene.planner.waypoints)
+        .unwrap_or_else(|| timing::waypoint_count(&tracks, scene));
+    Ok(timing::sample(&tracks, scene, count))
+}

@@ -1,0 +1,114 @@
+//! What a pose of the centerline costs: room for both robots, a free line between them, objects well inside or outside.
+
+use crate::terrain::Terrain;
+use pairtrawl_geometry::{Point, Pose};
+
+/// How much is asked of the way. Stricter first; the planner walks down this list until it finds one.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct Strictness {
+    /// Turning radius, m.
+    pub radius: f64,
+    /// Least distance of the midpoint to obstacles, in robot radii.
+    pub floor: f64,
+    /// Least distance of the points where the robots drive closest together, m.
+    pub side_floor: f64,
+    /// How far from a circle's center the way may pass, m.
+    pub reach: f64,
+}
+
+/// From comfortable to barely possible: turning radius and reach first, then the room of a pair abreast.
+pub(crate) const LADDER: [Strictness; 5] = [
+    Strictness {
+        radius: 0.6,
+        floor: 1.0,
+        side_floor: 0.04,
+        reach: 0.12,
+    },
+    Strictness {
+        radius: 0.45,
+        floor: 1.0,
+        side_floor: 0.04,
+        reach: 0.12,
+    },
+    Strictness {
+        radius: 0.45,
+        floor: 1.0,
+        side_floor: 0.04,
+        reach: 0.3,
+    },
+    Strictness {
+        radius: 0.35,
+        floor: 0.8,
+        side_floor: -0.1,
+        reach: 0.3,
+    },
+    Strictness {
+        radius: 0.3,
+        floor: 0.5,
+        side_floor: f64::NEG_INFINITY,
+        reach: 0.5,
+    },
+];
+
+/// Extra cost per meter driven and meter of room missing for a robot at half the usual separation.
+const NARROW: f64 = 4.0;
+/// The same where not even the least separation fits.
+const TOO_NARROW: f64 = 20.0;
+/// Extra cost per meter driven and meter that the band has to widen or move because of an object.
+const OBJECT: f64 = 4.0;
+/// An object counts while it lies within this of the line between the robots, m.
+const ABREAST: f64 = 0.12;
+
+/// The terrain as the centerline sees it.
+#[derive(Clone, Copy)]
+pub(crate) struct Corridor<'t> {
+    pub terrain: &'t Terrain,
+    pub strictness: Strictness,
+}
+
+impl Corridor<'_> {
+    /// Cost per meter beyond 1, or `None` where the pair cannot be.
+    pub fn penalty(&self, pose: Pose) -> Option<f64> {
+        self.penalty_at(pose.position(), pose.forward())
+    }
+
+    /// As [`Self::penalty`], with the unit vector along the heading.
+    pub fn penalty_at(&self, p: Point, forward: Point) -> Option<f64> {
+        let pair = &self.terrain.pair;
+        let left = forward.perp();
+        let d = self.terrain.distance(p);
+        if d < self.strictness.floor * pair.radius {
+            return None;
+        }
+        let mut penalty = 0.0;
+        // Far from everything nothing needs a closer look.
+        if d < pair.half_separation + pair.radius + pair.clearance {
+            for side in [left, -left] {
+                let near = self.terrain.distance(p + side * pair.min_half);
+                if near < self.strictness.side_floor {
+                    return None;
+                }
+                let usual = self.terrain.distance(p + side * pair.half_separation);
+                penalty += NARROW * (pair.radius + pair.clearance - usual).max(0.0)
+                    + TOO_NARROW * (pair.radius - near).max(0.0);
+            }
+        }
+        for object in self.terrain.objects_near(p) {
+            let r = object.center - p;
+            if r.dot(forward).abs() < ABREAST {
+                let offset = r.dot(left).abs();
+                let keep = object.radius + pair.radius + pair.clearance;
+                // Either the band widens until the robot passes beyond the object, or it moves away.
+                let widen = offset + keep - pair.half_separation;
+                let widen = if offset + keep > pair.max_half * 2.0 - pair.min_half {
+                    f64::INFINITY
+                } else {
+                    widen
+                };
+                let shift = pair.half_separation + keep - offset;
+                penalty += OBJECT * widen.min(shift).max(0.0);
+            }
+        }
+        Some(penalty)
+    }
+}

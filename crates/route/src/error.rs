@@ -1,0 +1,42 @@
+use pairtrawl_geometry::Point;
+
+/// Why no route was found.
+#[derive(Clone, Copy, Debug, PartialEq, thiserror::Error)]
+pub enum RouteError {
+    /// No way for the pair leads from one stop to the next, not even with the smallest radius and margin.
+    #[error(
+        "no way for the pair leads from ({:.3}, {:.3}) to ({:.3}, {:.3}): every passage is narrower than the pair; \
+         widen it, move the object or lower planner.half_separation",
+        from.x, from.y, to.x, to.y
+    )]
+    NoPath {
+        /// The stop that was reached, m.
+        from: Point,
+        /// The stop that was not, m.
+        to: Point,
+    },
+    /// The visiting order is not a permutation of the circles.
+    #[error(
+        "the visiting order names circle {index} {times} times; it must name each of the {circles} circles once"
+    )]
+    BadOrder {
+        /// The circle that is missing, named twice, or does not exist.
+        index: usize,
+        /// How often the order names it.
+        times: usize,
+        /// How many circles the world has.
+        circles: usize,
+    },
+    /// The centerline has fewer than two poses, or a pose that is not finite.
+    #[error("the centerline has {poses} usable poses; the baseline needs at least 2, all finite")]
+    BadCenterline {
+        /// Finite poses in it.
+        poses: usize,
+    },
+    /// Too few waypoints were asked for.
+    #[error("{waypoints} waypoints were asked for; a pair of trajectories has at least 2")]
+    TooFewWaypoints {
+        /// The number asked for.
+        waypoints: usize,
+    },
+}
