@@ -1,5 +1,10 @@
 use crate::Stage;
+use crate::attempt::Attempt;
 use pairtrawl_geometry::Point;
+use pairtrawl_model::{Rehearsal, SolverStatus};
+use pairtrawl_route::RouteError;
+use pairtrawl_simulation::SimulationError;
+use pairtrawl_world::WorldError;
 
 /// Why there is no plan.
 #[derive(Clone, Debug, PartialEq, thiserror::Error)]
@@ -7,10 +12,8 @@ pub enum PlanError {
     /// The scene or the options cannot be planned for, whatever the planner does.
     #[error("{what}")]
     BadInput {
-        /// The thing, its value and the bound.
+        /// The thing, its value, the bound and the remedy.
         what: String,
-        /// What to change.
-        remedy: Option<String>,
     },
     /// There is a proof that no plan exists.
     #[error("proven infeasible: {proof}")]
@@ -26,24 +29,22 @@ pub enum PlanError {
         /// What fails, in words and numbers.
         reason: String,
         /// The claim that fails in the best attempt.
-        claim: Option<String>,
-        /// Where, m.
-        place: Option<Point>,
+        claim: Option<&'static str>,
         /// At which step.
         step: Option<usize>,
+        /// Where, m.
+        place: Option<Point>,
         /// By how much, in the claim's unit; negative.
         margin: Option<f64>,
         /// What change would help.
-        remedy: Option<String>,
-        /// Optimizations that were tried.
-        rounds: usize,
+        remedy: String,
     },
     /// The time limit ran out.
-    #[error("the time limit of {limit} s ran out after the stage {}", stage.name())]
+    #[error("the time limit of {limit} s ran out in the stage {}", stage.name())]
     TimeLimit {
         /// The limit, s.
         limit: f64,
-        /// The last stage that ran.
+        /// The stage at work.
         stage: Stage,
     },
     /// The observer asked to stop.
@@ -52,14 +53,140 @@ pub enum PlanError {
 }
 
 impl PlanError {
-    /// What would help, when that is known.
+    /// What would help, when the message does not say so itself.
     pub fn remedy(&self) -> Option<&str> {
         match self {
-            Self::BadInput { remedy, .. }
-            | Self::Infeasible { remedy, .. }
-            | Self::NoPlan { remedy, .. } => remedy.as_deref(),
-            Self::TimeLimit { .. } => Some("give more time, fewer waypoints or a larger max_step"),
-            Self::Interrupted => None,
+            Self::Infeasible { remedy, .. } => remedy.as_deref(),
+            Self::NoPlan { remedy, .. } => Some(remedy),
+            Self::TimeLimit { .. } => Some("give more time, or fewer waypoints"),
+            Self::BadInput { .. } | Self::Interrupted => None,
+        }
+    }
+
+    /// After the last round: the claim that failed most in the best attempt.
+    pub(crate) fn no_plan(best: &Attempt, rounds: usize) -> Self {
+        let worst = best
+            .certificate
+            .claims
+            .iter()
+            .filter(|claim| !claim.holds)
+            .min_by(|a, b| a.margin.total_cmp(&b.margin));
+        let solver = match best.solver.status {
+            SolverStatus::Converged => "the optimizer converged",
+            SolverStatus::LocallyInfeasible => {
+                "the optimizer found no way to meet all constraints nearby"
+            }
+            SolverStatus::IterationLimit => "the optimizer ran out of iterations",
+            SolverStatus::TimeLimit => "the optimizer was stopped",
+            SolverStatus::NumericalTrouble => "the optimizer broke down numerically",
+        };
+        let Some(worst) = worst else {
+            return Self::NoPlan {
+                reason: format!("in {rounds} rounds {solver}"),
+                claim: None,
+                step: None,
+                place: None,
+                margin: None,
+                remedy: "report this scene".to_owned(),
+            };
+        };
+        let mut reason = format!(
+            "after {rounds} rounds {} fails by {:.3e}",
+            worst.name, -worst.margin
+        );
+        if let Some(step) = worst.step {
+            reason += &format!(" at step {step}");
+        }
+        if let Some(place) = worst.place {
+            reason += &format!(" near ({:.3}, {:.3})", place.x, place.y);
+        }
+        if !worst.detail.is_empty() {
+            reason += &format!(" ({})", worst.detail);
+        }
+        Self::NoPlan {
+            reason: format!("{reason}; {solver}"),
+            claim: Some(worst.name),
+            step: worst.step,
+            place: worst.place,
+            margin: Some(worst.margin),
+            remedy: remedy_for(worst.name).to_owned(),
+        }
+    }
+
+    /// No attempt passed its rehearsal, and one was required.
+    pub(crate) fn not_rehearsed(verdict: &Rehearsal) -> Self {
+        let (reason, place) = match verdict {
+            Rehearsal::Failed { event, time, place } => (
+                format!(
+                    "the rehearsal fails: {event} after {time:.1} s near ({:.3}, {:.3})",
+                    place.x, place.y
+                ),
+                Some(*place),
+            ),
+            Rehearsal::Passed | Rehearsal::Skipped => ("there was no rehearsal".to_owned(), None),
+        };
+        Self::NoPlan {
+            reason,
+            claim: None,
+            step: None,
+            place,
+            margin: None,
+            remedy: "raise planner.clearance or lower planner.max_skew, or take the certified plan without \
+                     --require-rehearsal"
+                .to_owned(),
+        }
+    }
+}
+
+/// What helps most often when a claim cannot be met.
+fn remedy_for(claim: &str) -> &'static str {
+    match claim {
+        "step" | "turn" | "forward" | "no_sideways_slip" | "speed" | "endpoints" => {
+            "give more waypoints, or ends whose headings leave room to turn"
+        }
+        "separation" | "net_reach" => {
+            "give a longer net (--net-length auto finds one), or ends closer together"
+        }
+        "every_object_covered" | "robots_miss_objects" => {
+            "give a longer net, another order (--order given), or move the object away from obstacles"
+        }
+        "abreast" => "raise planner.max_skew, or give ends at which the robots stand abreast",
+        _ => "widen the passage there, or lower robot.radius if the robot is smaller",
+    }
+}
+
+impl From<WorldError> for PlanError {
+    fn from(error: WorldError) -> Self {
+        Self::BadInput {
+            what: error.to_string(),
+        }
+    }
+}
+
+impl From<SimulationError> for PlanError {
+    fn from(error: SimulationError) -> Self {
+        Self::BadInput {
+            what: error.to_string(),
+        }
+    }
+}
+
+impl From<RouteError> for PlanError {
+    fn from(error: RouteError) -> Self {
+        match error {
+            RouteError::NoPath { to, .. } => Self::NoPlan {
+                reason: error.to_string(),
+                claim: None,
+                step: None,
+                place: Some(to),
+                margin: None,
+                remedy: "widen the passage, or move the object or the end".to_owned(),
+            },
+            RouteError::BadOrder { .. }
+            | RouteError::BadCenterline { .. }
+            | RouteError::TooFewWaypoints { .. } => Self::BadInput {
+                what: error.to_string(),
+            },
         }
     }
 }

@@ -1,14 +1,22 @@
 //! Plan, prove, rehearse and execute runs of two robots that tow a net.
 
+mod attempt;
+mod check;
 mod error;
 pub mod files;
 mod observer;
 mod options;
+mod plan;
+mod run;
 mod summary;
+mod tighten;
 
+pub use check::{Candidate, check};
 pub use error::PlanError;
 pub use observer::{Observer, Stage};
-pub use options::{CenterlineMethod, Method, NetLength, OrderMethod, PlanOptions, RehearsalMode};
+pub use options::{NetLength, OrderMethod, PlanOptions, RehearsalMode};
 pub use pairtrawl_geometry as geometry;
 pub use pairtrawl_model as model;
+pub use pairtrawl_report as report;
+pub use plan::{Planned, plan};
 pub use summary::{claim_summaries, summarize};

@@ -1,5 +1,3 @@
-use std::time::Instant;
-
 /// A step of planning, in the order in which they run.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
 pub enum Stage {
@@ -55,18 +53,3 @@ pub trait Observer {
 }
 
 impl Observer for () {}
-
-/// Runs one stage under the eyes of an observer. The clock is read here and nowhere below this crate.
-pub(crate) fn timed<T>(
-    observer: &mut dyn Observer,
-    stage: Stage,
-    round: usize,
-    work: impl FnOnce() -> T,
-) -> (T, f64) {
-    observer.started(stage, round);
-    let begin = Instant::now();
-    let result = work();
-    let seconds = begin.elapsed().as_secs_f64();
-    observer.finished(stage, seconds);
-    (result, seconds)
-}

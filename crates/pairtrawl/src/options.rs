@@ -9,12 +9,6 @@ pub struct PlanOptions {
     pub waypoints: Option<usize>,
     /// How the visiting order is found.
     pub order: OrderMethod,
-    /// How the centerline is found.
-    pub centerline: CenterlineMethod,
-    /// How the trajectories are optimised.
-    pub method: Method,
-    /// Seed of whatever is random; today that is the RRT* centerline alone.
-    pub seed: u64,
     /// Gives up after this time, checked between steps of work.
     pub time_limit: Option<Duration>,
     /// Whether the plan is rehearsed in physics.
@@ -31,9 +25,6 @@ impl Default for PlanOptions {
             net_length: None,
             waypoints: None,
             order: OrderMethod::Shortest,
-            centerline: CenterlineMethod::HybridAStar,
-            method: Method::Joint,
-            seed: 0,
             time_limit: None,
             rehearsal: RehearsalMode::Report,
             rounds: 6,
@@ -58,24 +49,6 @@ pub enum OrderMethod {
     Given,
     /// The shortest open path through all circles.
     Shortest,
-}
-
-/// How the centerline is found.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum CenterlineMethod {
-    /// Hybrid A*.
-    HybridAStar,
-    /// Informed RRT*.
-    RrtStar,
-}
-
-/// How the trajectories are optimised.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Method {
-    /// Both robots and the net length at once.
-    Joint,
-    /// The paper's Algorithm 1: one robot at a time.
-    Alternating,
 }
 
 /// What a rehearsal decides.

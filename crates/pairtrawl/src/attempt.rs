@@ -1,0 +1,193 @@
+use crate::run::Run;
+use crate::tighten::Tightening;
+use crate::{PlanError, PlanOptions, RehearsalMode, Stage};
+use pairtrawl_certificate::certify;
+use pairtrawl_geometry::Pose;
+use pairtrawl_model::{
+    Certificate, PairTrajectory, Rehearsal, RehearsalRecord, Scene, SolverReport,
+};
+use pairtrawl_route::baseline;
+use pairtrawl_simulation::rehearse;
+use pairtrawl_trajopt::{Problem, Settings, ShrunkMargin, optimise_watched};
+use pairtrawl_world::World;
+
+/// Everything that stays the same while attempts at a plan are made.
+pub(crate) struct Course<'a> {
+    pub scene: &'a Scene,
+    /// d_max, m; `None`: the optimiser chooses it.
+    pub net_length: Option<f64>,
+    pub world: &'a World,
+    pub order: &'a [usize],
+    pub centerline: &'a [Pose],
+    pub options: &'a PlanOptions,
+}
+
+/// A pair of trajectories with its verdict.
+pub(crate) struct Attempt {
+    pub net_length: f64,
+    pub trajectory: PairTrajectory,
+    pub baseline: PairTrajectory,
+    pub certificate: Certificate,
+    pub solver: SolverReport,
+    pub warnings: Vec<String>,
+}
+
+impl Course<'_> {
+    /// A certified attempt, and its rehearsal unless that is to be skipped. One whose rehearsal fails is made again with
+    /// more margin, a bounded number of times; the one with the fewest events counts.
+    pub fn rehearsed_attempt(
+        &self,
+        run: &mut Run,
+    ) -> Result<(Attempt, Option<RehearsalRecord>), PlanError> {
+        let mut tightening = Tightening::NONE;
+        let mut best = self.certified_attempt(&mut tightening, run)?;
+        if self.options.rehearsal == RehearsalMode::Skip {
+            return Ok((best, None));
+        }
+        let mut record = self.rehearse(&best, run)?;
+        let mut event = record.events.first().cloned();
+        for _ in 0..self.options.rehearsal_rounds {
+            let Some(failed) = event else { break };
+            run.note(&format!(
+                "rehearsal: {}; planning again with more margin",
+                failed.kind.describe()
+            ));
+            tightening = tightening.after_event(&failed.kind);
+            run.round += 1;
+            match self.certified_attempt(&mut tightening, run) {
+                Ok(next) => {
+                    let next_record = self.rehearse(&next, run)?;
+                    event = next_record.events.first().cloned();
+                    if next_record.events.len() < record.events.len() {
+                        (best, record) = (next, next_record);
+                    }
+                }
+                // With more margin there is no plan any more: the one at hand stays.
+                Err(PlanError::NoPlan { .. }) => break,
+                Err(error) => return Err(error),
+            }
+        }
+        if self.options.rehearsal == RehearsalMode::Require && record.verdict != Rehearsal::Passed {
+            return Err(PlanError::not_rehearsed(&record.verdict));
+        }
+        Ok((best, Some(record)))
+    }
+
+    /// An attempt whose every claim holds: optimises, certifies, tightens where a claim fails, and tries again within the
+    /// budget of rounds.
+    fn certified_attempt(
+        &self,
+        tightening: &mut Tightening,
+        run: &mut Run,
+    ) -> Result<Attempt, PlanError> {
+        let mut best = self.attempt(tightening, run)?;
+        for _ in 1..self.options.rounds {
+            if best.certificate.is_valid() {
+                break;
+            }
+            *tightening = tightening.after_claims(&best.certificate);
+            run.round += 1;
+            let next = self.attempt(tightening, run)?;
+            if next.failures() <= best.failures() {
+                best = next;
+            }
+        }
+        if best.certificate.is_valid() {
+            Ok(best)
+        } else {
+            Err(PlanError::no_plan(&best, self.options.rounds))
+        }
+    }
+
+    /// One attempt.
+    fn attempt(&self, tightening: &Tightening, run: &mut Run) -> Result<Attempt, PlanError> {
+        let Self {
+            scene,
+            world,
+            order,
+            centerline,
+            ..
+        } = *self;
+        let given = self.options.waypoints.or(scene.planner.waypoints);
+        let baseline = run.stage(Stage::Baseline, || match given {
+            Some(_) => baseline(world, scene, centerline, order, given),
+            None => baseline(world, scene, centerline, order, None).and_then(|first| {
+                match (first.len() as f64 * tightening.waypoints).round() as usize {
+                    more if more > first.len() => {
+                        baseline(world, scene, centerline, order, Some(more))
+                    }
+                    _ => Ok(first),
+                }
+            }),
+        })??;
+
+        let mut problem = Problem::new(scene, self.net_length, &world.pieces);
+        tightening.apply(&mut problem);
+        let solution = run.watched_stage(Stage::Optimise, |may_go_on| {
+            optimise_watched(&problem, &baseline, &Settings::default(), &mut |_, _| {
+                may_go_on()
+            })
+        })?;
+
+        let certificate = run.stage(Stage::Certify, || {
+            certify(scene, solution.net_length, &solution.trajectory)
+        })?;
+        Ok(Attempt {
+            warnings: solution
+                .shrunk_margins
+                .iter()
+                .map(|margin| shrunk_margin(scene, margin))
+                .collect(),
+            solver: SolverReport {
+                status: solution.status,
+                iterations: solution.iterations,
+                kkt_error: solution
+                    .residuals
+                    .dual
+                    .max(solution.residuals.primal)
+                    .max(solution.residuals.complementarity),
+                seconds: run.seconds(Stage::Optimise),
+            },
+            net_length: solution.net_length,
+            trajectory: solution.trajectory,
+            baseline,
+            certificate,
+        })
+    }
+
+    fn rehearse(&self, attempt: &Attempt, run: &mut Run) -> Result<RehearsalRecord, PlanError> {
+        let options = pairtrawl_simulation::Options::default();
+        Ok(run.stage(Stage::Rehearse, || {
+            rehearse(
+                self.scene,
+                attempt.net_length,
+                &attempt.trajectory,
+                &options,
+            )
+        })??)
+    }
+}
+
+impl Attempt {
+    /// How many claims fail.
+    fn failures(&self) -> usize {
+        self.certificate
+            .claims
+            .iter()
+            .filter(|claim| !claim.holds)
+            .count()
+    }
+}
+
+/// A warning about a margin that the scene left no room for.
+fn shrunk_margin(scene: &Scene, margin: &ShrunkMargin) -> String {
+    let what = match margin.claim {
+        "net_encloses_no_obstacle" => "between net and obstacle",
+        "robots_miss_objects" => "between robot and object",
+        _ => "between robot and obstacle",
+    };
+    format!(
+        "the margin {what} shrinks to {:.3} m of the {:.3} m wished for, at waypoint {} near ({:.3}, {:.3})",
+        margin.left, scene.planner.clearance, margin.step, margin.place.x, margin.place.y
+    )
+}

@@ -1,0 +1,91 @@
+use crate::{Observer, PlanError, PlanOptions, Stage};
+use pairtrawl_model::StageTime;
+use std::time::Instant;
+
+/// One planning run under way: its clock, its observer and the seconds of its stages. The clock is read here and nowhere
+/// below this crate.
+pub(crate) struct Run<'a> {
+    observer: &'a mut dyn Observer,
+    begin: Instant,
+    limit: Option<f64>,
+    last: Stage,
+    /// The round of optimization, from 1.
+    pub round: usize,
+    /// Seconds per stage, in the order of their first start.
+    pub stages: Vec<StageTime>,
+}
+
+impl<'a> Run<'a> {
+    pub fn new(options: &PlanOptions, observer: &'a mut dyn Observer) -> Self {
+        Self {
+            observer,
+            begin: Instant::now(),
+            limit: options.time_limit.map(|limit| limit.as_secs_f64()),
+            last: Stage::Proofs,
+            round: 1,
+            stages: Vec::new(),
+        }
+    }
+
+    /// Runs a stage, unless the time is up or someone wants to stop; the same is asked again after it.
+    pub fn stage<T>(&mut self, stage: Stage, work: impl FnOnce() -> T) -> Result<T, PlanError> {
+        self.watched_stage(stage, |_| work())
+    }
+
+    /// Runs a stage that asks now and then whether it may go on.
+    pub fn watched_stage<T>(
+        &mut self,
+        stage: Stage,
+        work: impl FnOnce(&dyn Fn() -> bool) -> T,
+    ) -> Result<T, PlanError> {
+        self.may_go_on()?;
+        self.last = stage;
+        self.observer.started(stage, self.round);
+        let begin = Instant::now();
+        let result = work(&|| self.may_go_on().is_ok());
+        let seconds = begin.elapsed().as_secs_f64();
+        self.observer.finished(stage, seconds);
+        match self
+            .stages
+            .iter_mut()
+            .find(|seen| seen.name == stage.name())
+        {
+            Some(seen) => seen.seconds += seconds,
+            None => self.stages.push(StageTime {
+                name: stage.name().to_owned(),
+                seconds,
+            }),
+        }
+        self.may_go_on()?;
+        Ok(result)
+    }
+
+    /// Tells the observer something.
+    pub fn note(&mut self, message: &str) {
+        self.observer.noted(message);
+    }
+
+    /// Seconds spent in a stage so far.
+    pub fn seconds(&self, stage: Stage) -> f64 {
+        self.stages
+            .iter()
+            .filter(|seen| seen.name == stage.name())
+            .map(|seen| seen.seconds)
+            .sum()
+    }
+
+    fn may_go_on(&self) -> Result<(), PlanError> {
+        if self.observer.interrupted() {
+            return Err(PlanError::Interrupted);
+        }
+        match self.limit {
+            Some(limit) if self.begin.elapsed().as_secs_f64() > limit => {
+                Err(PlanError::TimeLimit {
+                    limit,
+                    stage: self.last,
+                })
+            }
+            _ => Ok(()),
+        }
+    }
+}

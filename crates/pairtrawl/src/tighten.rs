@@ -1,0 +1,104 @@
+//! What the next attempt does differently after a claim or a rehearsal failed.
+//!
+//! Every change only makes the next problem stricter or finer; whatever comes out of it is judged against the scene itself.
+
+use pairtrawl_model::{Certificate, RehearsalEventKind};
+use pairtrawl_trajopt::Problem;
+
+/// Kept at least beyond a claim that failed once, in the claim's unit.
+const LEAST_RESERVE: f64 = 1e-3;
+/// A claim that failed by some amount gets this many times the amount in reserve.
+const RESERVE_FACTOR: f64 = 1.5;
+/// So many more waypoints when an attempt did not fit its steps.
+const MORE_WAYPOINTS: f64 = 1.1;
+/// Added to clearances when something was touched in a rehearsal, m.
+const MORE_CLEARANCE: f64 = 0.03;
+/// Headings kept closer to abreast after a snag, rad.
+const LESS_SKEW: f64 = 0.15;
+/// Gentler turns after a snag: by this factor.
+const GENTLER_TURNS: f64 = 0.75;
+
+/// What is asked beyond the scene's own margins.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(crate) struct Tightening {
+    /// Added to the wished distance of robots from obstacles and objects, m.
+    clearance: f64,
+    /// Added to the wished distance of the net's straight line from obstacles, m.
+    net_clearance: f64,
+    /// Added to both bounds of the separation, m.
+    separation: f64,
+    /// Subtracted from the net's reach, m.
+    net_reach: f64,
+    /// Subtracted from max_skew, rad.
+    skew: f64,
+    /// max_turn becomes this many times what it is.
+    turn: f64,
+    /// N becomes this many times what the baseline takes, unless the user fixed it.
+    pub waypoints: f64,
+}
+
+impl Tightening {
+    /// Nothing beyond the scene.
+    pub const NONE: Self = Self {
+        clearance: 0.0,
+        net_clearance: 0.0,
+        separation: 0.0,
+        net_reach: 0.0,
+        skew: 0.0,
+        turn: 1.0,
+        waypoints: 1.0,
+    };
+
+    /// Makes a problem stricter.
+    pub fn apply(&self, problem: &mut Problem) {
+        problem.reserve.clearance += self.clearance;
+        problem.reserve.net_clearance += self.net_clearance;
+        problem.reserve.separation += self.separation;
+        problem.reserve.net_reach += self.net_reach;
+        problem.reserve.skew += self.skew;
+        problem.planner.max_turn *= self.turn;
+    }
+
+    /// The same and more, after a certificate that does not hold.
+    pub fn after_claims(self, certificate: &Certificate) -> Self {
+        let mut next = self;
+        for claim in certificate.claims.iter().filter(|claim| !claim.holds) {
+            let more = (-RESERVE_FACTOR * claim.margin).clamp(LEAST_RESERVE, 0.1);
+            match claim.name {
+                "robot_clearance" | "robots_miss_objects" => next.clearance += more,
+                "net_encloses_no_obstacle" => next.net_clearance += more,
+                "separation" => next.separation += more,
+                "net_reach" => next.net_reach += more,
+                "abreast" => next.skew += more,
+                _ => {}
+            }
+        }
+        next.waypoints *= MORE_WAYPOINTS;
+        next
+    }
+
+    /// The same and more, after a rehearsal that ended with this event first.
+    pub fn after_event(self, event: &RehearsalEventKind) -> Self {
+        use RehearsalEventKind as Kind;
+        let mut next = self;
+        match event {
+            // The trailing net cuts corners on the inner side of turns.
+            Kind::NetTouchesObstacle { .. } | Kind::RobotTouchesObstacle { .. } => {
+                next.clearance += MORE_CLEARANCE;
+                next.net_clearance += MORE_CLEARANCE;
+                next.turn *= GENTLER_TURNS;
+            }
+            Kind::Snag { .. } | Kind::RobotCaught { .. } | Kind::RobotsTouch => {
+                next.skew += LESS_SKEW;
+                next.turn *= GENTLER_TURNS;
+                next.net_clearance += MORE_CLEARANCE;
+            }
+            Kind::RobotTouchesObject { .. } => next.clearance += MORE_CLEARANCE,
+            Kind::ObjectEscapes { .. } | Kind::ObjectNotGathered { .. } => {
+                next.clearance += MORE_CLEARANCE;
+                next.skew += LESS_SKEW;
+            }
+        }
+        next
+    }
+}
