@@ -17,6 +17,7 @@
 mod added;
 mod claims;
 mod clearance;
+pub mod infeasibility;
 mod map_runs;
 mod obstacles;
 mod subject;

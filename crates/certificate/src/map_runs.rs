@@ -14,6 +14,7 @@ pub(crate) struct MapRuns<'a> {
 }
 
 /// What of the map is nearest.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(crate) enum MapPart {
     Cell { column: usize, row: usize },
     Outside,
@@ -73,6 +74,137 @@ impl<'a> MapRuns<'a> {
                 part,
             )
         })
+    }
+
+    /// The signed distance of a point to the nearest blocked cell or to the outside of the map when it is below `bound`.
+    /// Inside a blocked cell it is minus the depth in the runs through it, which the true depth may exceed.
+    pub(crate) fn distance(&self, p: Point, bound: f64) -> Option<(f64, MapPart)> {
+        let r = self.map.resolution;
+        let cell = self.map.to_cells(p);
+        let own = cell * r;
+        let mut best = Best { bound, found: None };
+        let far = Point::new(self.map.columns as f64, self.map.rows as f64) * r;
+        let edge = own.x.min(own.y).min(far.x - own.x).min(far.y - own.y);
+        best.consider(
+            Gap {
+                distance: edge,
+                place: own,
+            },
+            || MapPart::Outside,
+        );
+        if edge <= 0.0 {
+            return best.found.map(|(gap, part)| (gap.distance, part));
+        }
+        let (column, row) = (cell.x as usize, cell.y as usize);
+        if self.map.is_blocked(column as i64, row as i64) {
+            let depth = run_depth(&self.rows[row], cell.x, cell.y).max(run_depth(
+                &self.columns[column],
+                cell.y,
+                cell.x,
+            ));
+            best.consider(
+                Gap {
+                    distance: -depth * r,
+                    place: own,
+                },
+                || MapPart::Cell { column, row },
+            );
+            return best.found.map(|(gap, part)| (gap.distance, part));
+        }
+        for k in 0.. {
+            // Rows at k cells above and below: at least k - 1 cell heights away.
+            if k as f64 - 1.0 > best.bound / r || k > self.map.rows {
+                break;
+            }
+            let above = Some(row + k).filter(|&line| line < self.map.rows);
+            let below = row.checked_sub(k).filter(|_| k > 0);
+            for line in [above, below].into_iter().flatten() {
+                let dy = (line as f64 - cell.y)
+                    .max(cell.y - (line + 1) as f64)
+                    .max(0.0);
+                let runs = &self.rows[line];
+                let next = runs.partition_point(|&(_, end)| end as f64 <= cell.x);
+                for &(start, end) in &runs[next.saturating_sub(1)..runs.len().min(next + 1)] {
+                    let dx = (start as f64 - cell.x).max(cell.x - end as f64).max(0.0);
+                    let distance = dx.hypot(dy) * r;
+                    best.consider(
+                        Gap {
+                            distance,
+                            place: own,
+                        },
+                        || MapPart::Cell {
+                            column: column.clamp(start, end - 1),
+                            row: line,
+                        },
+                    );
+                }
+            }
+        }
+        best.found.map(|(gap, part)| (gap.distance, part))
+    }
+
+    /// The runs that meet a box of the scene's frame, as rectangles in that frame.
+    pub(crate) fn rectangles(&self, near: &Bounds) -> Vec<Polygon> {
+        let corners = [
+            near.min,
+            Point::new(near.max.x, near.min.y),
+            near.max,
+            Point::new(near.min.x, near.max.y),
+        ];
+        let cells = Bounds::of(&corners.map(|p| self.map.to_cells(p)));
+        let mut out = Vec::new();
+        for (lines, along_columns) in [(&self.rows, false), (&self.columns, true)] {
+            let swap = |p: Point| {
+                if along_columns {
+                    Point::new(p.y, p.x)
+                } else {
+                    p
+                }
+            };
+            let (min, max) = (swap(cells.min), swap(cells.max));
+            let clamp = |v: f64| v.clamp(0.0, lines.len() as f64) as usize;
+            let (low, high) = (clamp(min.y.floor()), clamp(max.y.ceil()));
+            for (line, runs) in lines.iter().enumerate().take(high).skip(low) {
+                for &(start, end) in runs {
+                    if end as f64 >= min.x && start as f64 <= max.x {
+                        let corner = |a: usize, b: usize| {
+                            self.map.from_cells(swap(Point::new(a as f64, b as f64)))
+                        };
+                        let ring = [
+                            (start, line),
+                            (end, line),
+                            (end, line + 1),
+                            (start, line + 1),
+                        ];
+                        out.push(Polygon::new(ring.map(|(a, b)| corner(a, b)).to_vec()));
+                    }
+                }
+            }
+        }
+        out
+    }
+
+    /// The outline of a cell in the scene's frame.
+    pub(crate) fn cell(&self, column: usize, row: usize) -> Polygon {
+        let corner = |x: usize, y: usize| self.map.from_cells(Point::new(x as f64, y as f64));
+        let ring = [
+            (column, row),
+            (column + 1, row),
+            (column + 1, row + 1),
+            (column, row + 1),
+        ];
+        Polygon::new(ring.map(|(x, y)| corner(x, y)).to_vec())
+    }
+
+    /// The border of the map in the scene's frame.
+    pub(crate) fn border(&self) -> Polygon {
+        let corner = |x: usize, y: usize| self.map.from_cells(Point::new(x as f64, y as f64));
+        let (w, h) = (self.map.columns, self.map.rows);
+        Polygon::new(
+            [(0, 0), (w, 0), (w, h), (0, h)]
+                .map(|(x, y)| corner(x, y))
+                .to_vec(),
+        )
     }
 
     /// Everything beyond the map's four sides is blocked.
@@ -159,6 +291,18 @@ impl Best {
             self.found = Some((gap, part()));
         }
     }
+}
+
+/// How deep a point (in cells, first coordinate along the line) lies in the run of a line that contains it.
+fn run_depth(runs: &[(usize, usize)], along: f64, across: f64) -> f64 {
+    let next = runs.partition_point(|&(_, end)| end as f64 <= along);
+    runs.get(next).map_or(0.0, |&(start, end)| {
+        let edge = across.fract().min(1.0 - across.fract());
+        (along - start as f64)
+            .min(end as f64 - along)
+            .min(edge)
+            .max(0.0)
+    })
 }
 
 /// The half-open ranges of consecutive indices below `n` for which `blocked` holds.

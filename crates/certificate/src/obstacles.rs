@@ -1,6 +1,6 @@
 use crate::map_runs::{MapPart, MapRuns};
 use crate::subject::COORDINATE_LIMIT;
-use pairtrawl_geometry::{Bounds, Gap, Hull, Point, Polygon};
+use pairtrawl_geometry::{Bounds, Convex, Gap, Hull, Point, Polygon, Segment};
 use pairtrawl_model::{Obstacle, Scene};
 use std::fmt;
 
@@ -16,6 +16,7 @@ enum Shape {
 }
 
 /// What a distance was measured to.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(crate) enum Part {
     Shape { index: usize, kind: &'static str },
     Map(MapPart),
@@ -78,6 +79,13 @@ impl Shape {
         }
     }
 
+    fn distance(&self, p: Point) -> f64 {
+        match self {
+            Self::Polygon(polygon) => polygon.signed_distance(p),
+            Self::Disc { center, radius } => p.distance(*center) - radius,
+        }
+    }
+
     fn gap(&self, hull: &Hull) -> Gap {
         match self {
             Self::Polygon(polygon) => hull.gap_to_polygon(polygon),
@@ -120,6 +128,91 @@ impl<'a> Obstacles<'a> {
         }
         let in_map = self.map.as_ref().and_then(|map| map.gap(hull, bound));
         in_map.map(|(gap, part)| (gap, Part::Map(part))).or(found)
+    }
+
+    /// The signed distance of a point to the nearest obstacle when it is below `bound`; negative inside.
+    pub(crate) fn distance(&self, p: Point, bound: f64) -> Option<(f64, Part)> {
+        let mut bound = bound;
+        let mut found = None;
+        let at = Bounds::of(&[p]);
+        for (index, (shape, kind)) in self.shapes.iter().enumerate() {
+            if shape.bounds().distance(&at) >= bound.max(f64::MIN_POSITIVE) {
+                continue;
+            }
+            let distance = shape.distance(p);
+            if distance < bound {
+                bound = distance;
+                found = Some((distance, Part::Shape { index, kind }));
+            }
+        }
+        let in_map = self.map.as_ref().and_then(|map| map.distance(p, bound));
+        in_map
+            .map(|(distance, part)| (distance, Part::Map(part)))
+            .or(found)
+    }
+
+    /// The signed distances of a point to every obstacle shape, and to the nearest part of the map, below `bound`.
+    pub(crate) fn distances(&self, p: Point, bound: f64) -> Vec<(f64, Part)> {
+        let shapes = self.shapes.iter().enumerate();
+        let shapes =
+            shapes.map(|(index, (shape, kind))| (shape.distance(p), Part::Shape { index, kind }));
+        let map = self
+            .map
+            .as_ref()
+            .and_then(|map| map.distance(p, bound))
+            .map(|(d, part)| (d, Part::Map(part)));
+        shapes.chain(map).filter(|(d, _)| *d < bound).collect()
+    }
+
+    /// Convex regions inside the obstacles that meet a box; together they fill the obstacles there.
+    pub(crate) fn convex_pieces(&self, near: &Bounds) -> Vec<Convex> {
+        let mut out = Vec::new();
+        for (shape, _) in &self.shapes {
+            if shape.bounds().distance(near) > 0.0 {
+                continue;
+            }
+            match shape {
+                Shape::Disc { center, radius } => out.push(Convex::Circle {
+                    center: *center,
+                    radius: *radius,
+                }),
+                Shape::Polygon(polygon) if polygon.is_convex() => {
+                    out.push(Convex::Polygon(polygon.vertices().to_vec()));
+                }
+                Shape::Polygon(polygon) => {
+                    out.extend(
+                        polygon
+                            .triangles()
+                            .iter()
+                            .map(|t| Convex::Polygon(t.to_vec())),
+                    );
+                }
+            }
+        }
+        if let Some(map) = &self.map {
+            out.extend(
+                map.rectangles(near)
+                    .into_iter()
+                    .map(|r| Convex::Polygon(r.vertices().to_vec())),
+            );
+        }
+        out
+    }
+
+    /// The outline of a part as segments, and how far the part reaches beyond them, m.
+    pub(crate) fn outline(&self, part: Part) -> (Vec<Segment>, f64) {
+        let edges = |polygon: Polygon| (polygon.edges().collect(), 0.0);
+        match part {
+            Part::Shape { index, .. } => match &self.shapes[index].0 {
+                Shape::Polygon(polygon) => (polygon.edges().collect(), 0.0),
+                Shape::Disc { center, radius } => (vec![Segment::new(*center, *center)], *radius),
+            },
+            Part::Map(part) => match (&self.map, part) {
+                (Some(map), MapPart::Cell { column, row }) => edges(map.cell(column, row)),
+                (Some(map), MapPart::Outside) => edges(map.border()),
+                (None, _) => (Vec::new(), 0.0),
+            },
+        }
     }
 }
 

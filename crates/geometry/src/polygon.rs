@@ -121,6 +121,44 @@ impl Polygon {
         turns().all(|t| t >= 0.0) || turns().all(|t| t <= 0.0)
     }
 
+    /// Triangles, counter-clockwise, that tile a simple polygon (ear clipping). Vertices on a straight line yield none;
+    /// a polygon that fails [`Self::check`] yields an incomplete list.
+    pub fn triangles(&self) -> Vec<[Point; 3]> {
+        let mut rest = self.vertices.clone();
+        if self.signed_area() < 0.0 {
+            rest.reverse();
+        }
+        let mut out = Vec::with_capacity(rest.len().saturating_sub(2));
+        while rest.len() >= 3 {
+            let n = rest.len();
+            let corner = |i: usize| [rest[(i + n - 1) % n], rest[i], rest[(i + 1) % n]];
+            let is_flat = |i: &usize| {
+                let [a, b, c] = corner(*i);
+                orient2d(a, b, c) == 0.0
+            };
+            let is_ear = |i: &usize| {
+                let [a, b, c] = corner(*i);
+                let inside = |&p: &Point| {
+                    p != a
+                        && p != b
+                        && p != c
+                        && orient2d(a, b, p) >= 0.0
+                        && orient2d(b, c, p) >= 0.0
+                        && orient2d(c, a, p) >= 0.0
+                };
+                orient2d(a, b, c) > 0.0 && !rest.iter().any(inside)
+            };
+            let Some(i) = (0..n).find(is_flat).or_else(|| (0..n).find(is_ear)) else {
+                break;
+            };
+            if !is_flat(&i) {
+                out.push(corner(i));
+            }
+            rest.remove(i);
+        }
+        out
+    }
+
     /// True when the point lies inside or on an edge (nonzero winding; exact).
     pub fn contains(&self, p: Point) -> bool {
         if !self.bounds.contains(p) {

@@ -1,0 +1,144 @@
+//! Proofs that no plan can be valid, in words and numbers.
+//!
+//! A proof is given only where it is sound; a scene without one may still have no valid plan. The arguments are those of
+//! exact driving: the tolerances of the claims (a slip of 0.1 mm a step, 1e-6 m back) are rounding, not a way to drive.
+//!
+//! 1. **The net is too short**: the hitches or axles at the start or end are farther apart than the net is long, or it is
+//!    shorter than two robot radii plus an object's footprint circle, over which it must pass with a robot on each side.
+//! 2. **Every way is cut**: a robot's center stays in the area, at least a radius from every obstacle and every object's
+//!    footprint circle. Cells of a grid in which no point keeps that distance are surely blocked (the distance is
+//!    1-Lipschitz: that at the cell's center plus half the diagonal is below the radius). A continuous path visits cells
+//!    that share a corner at least; where no such chain of other cells joins start and end there is no path. Nothing is
+//!    assumed of the pair: staggered, it passes gaps that its width does not.
+//! 3. **An object is enclosed**: when the line between the robots passes over it, each half of the line is a straight
+//!    segment from the object to a robot, no longer than d_max - (radius + footprint radius) since the other half keeps
+//!    that distance, and it enters no obstacle. The proof shows for one robot that no cell that it may reach (as in 2)
+//!    is near enough and has a line of sight. A convex piece of an obstacle that hides the four corners of a cell hides
+//!    the whole cell, because the shadow of a convex set is convex.
+//! 4. **An object is pinned**: less than two robot radii separate its footprint circle from an obstacle, and neither the
+//!    start nor the end line between the robots crosses the shortest segment between object center and obstacle. No robot
+//!    path crosses that segment, for a point on it cannot keep a radius from both. The boundary of the swept region
+//!    (start line, one path, end line, other path) hence winds equally often around its two ends: not at all, because
+//!    inside the obstacle nothing is swept. Robots that drive forward and abreast sweep every point in the same sense,
+//!    so a point that is passed over has a winding number other than zero: the object is not swept. Abreast has to hold
+//!    with room for a step's turn, so the proof is used only while max_skew + max_turn / 2 + 2 asin(max_step /
+//!    separation) is below a right angle, and only when start and end are more than one step apart.
+
+mod enclosed;
+mod free_space;
+mod narrowest;
+mod net_too_short;
+mod pinned;
+mod things;
+mod way_cut;
+
+use crate::subject::COORDINATE_LIMIT;
+use enclosed::Verdict;
+use free_space::FreeSpace;
+use pairtrawl_geometry::Point;
+use pairtrawl_model::Scene;
+use things::Things;
+
+/// Why no plan can be valid.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Proof {
+    /// Which argument it is, with its numbers.
+    pub kind: ProofKind,
+    /// The proof for people: the thing, the amount, and the smallest change that would remove this obstruction.
+    pub message: String,
+}
+
+/// The kinds of proof; lengths in m.
+#[derive(Clone, Copy, Debug, PartialEq)]
+#[non_exhaustive]
+pub enum ProofKind {
+    /// The net cannot span what it must.
+    NetTooShort {
+        /// The least length that would do here.
+        needed: f64,
+    },
+    /// One robot has no way from its start to its end.
+    WayCut {
+        /// Where the widest way is narrowest.
+        place: Point,
+        /// Its width there; 0 where it is closed.
+        width: f64,
+    },
+    /// The line between the robots cannot get to an object.
+    ObjectEnclosed {
+        /// Its index.
+        object: usize,
+    },
+    /// An object is so close to an obstacle that the line between the robots cannot pass over it.
+    ObjectPinned {
+        /// Its index.
+        object: usize,
+        /// Distance between its footprint circle and the obstacle.
+        gap: f64,
+    },
+}
+
+/// What is not yet settled below this much is left open, m: the endpoints' tolerance and the rounding of distances.
+const CAUTION: f64 = 1e-5;
+
+/// Looks for a proof that no plan for this scene can be valid. `net_length` (m) is the length in force; `None` leaves it
+/// to the planner. Scenes that are malformed or start in collision have none: they are bad input.
+pub fn prove(scene: &Scene, net_length: Option<f64>) -> Option<Proof> {
+    let things = usable(scene, net_length).then(|| Things::new(scene))??;
+    if let Some(proof) = net_length.and_then(|length| net_too_short::prove(scene, length)) {
+        return Some(proof);
+    }
+    if let Some(proof) = pinned::prove(&things) {
+        return Some(proof);
+    }
+    let mut space = FreeSpace::new(&things);
+    let mut open: Vec<usize> = (0..scene.objects.len()).collect();
+    loop {
+        let reached = space.reach(scene)?;
+        if let Some(robot) = reached.robot_without_way(&space, scene) {
+            return Some(way_cut::proof(&things, robot));
+        }
+        let mut undecided = Vec::new();
+        for object in open {
+            match enclosed::judge(&things, &space, &reached, object, net_length) {
+                Verdict::Enclosed(proof) => return Some(proof),
+                Verdict::Reachable => {}
+                Verdict::Open => undecided.push(object),
+            }
+        }
+        open = undecided;
+        if open.is_empty() && reached.has_sure_way(&space, scene) {
+            return None;
+        }
+        space = space.refined(&things)?;
+    }
+}
+
+/// True when every number that the proofs rely on is finite and of a sensible size.
+fn usable(scene: &Scene, net_length: Option<f64>) -> bool {
+    let bounded = |p: Point| p.x.abs() <= COORDINATE_LIMIT && p.y.abs() <= COORDINATE_LIMIT;
+    let (min, max) = (scene.area.min, scene.area.max);
+    let pairs = [scene.start, scene.end];
+    let robot = &scene.robot;
+    bounded(min)
+        && bounded(max)
+        && min.x < max.x
+        && min.y < max.y
+        && pairs.iter().all(|p| {
+            [p.left, p.right]
+                .iter()
+                .all(|r| r.is_finite() && bounded(r.position()))
+        })
+        && scene.objects.iter().all(|o| {
+            bounded(o.position) && (0.0..=COORDINATE_LIMIT).contains(&o.footprint_radius())
+        })
+        && robot.radius > 0.0
+        && robot.radius <= COORDINATE_LIMIT
+        && robot.hitch.abs() <= COORDINATE_LIMIT
+        && net_length.is_none_or(f64::is_finite)
+}
+
+/// A length for people, rounded up to a millimeter so that following the advice suffices.
+fn rounded_up(length: f64) -> f64 {
+    (length * 1e3).ceil() / 1e3
+}

@@ -1,0 +1,212 @@
+use super::things::Things;
+use pairtrawl_geometry::{Bounds, Point};
+use pairtrawl_model::Scene;
+
+/// The coarsest cells, m.
+const COARSEST: f64 = 0.1;
+/// Cells are not made finer than this, m ...
+const FINEST: f64 = 0.005;
+/// ... nor more than this many: what is still open then stays unproven.
+const MOST_CELLS: usize = 2_000_000;
+/// Distances this close to the radius leave a cell undecided, m: rounding and the tolerance of the claims.
+const CLOSE: f64 = 1e-6;
+
+/// What is known of a cell as a place for a robot's center.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(super) enum Cell {
+    /// No point of the closed cell keeps a robot radius from everything.
+    Blocked,
+    /// Every point does.
+    Free,
+    /// Some may.
+    Mixed,
+}
+
+/// The area, cut into equal cells that fill it exactly.
+pub(super) struct FreeSpace {
+    min: Point,
+    size: Point,
+    columns: usize,
+    rows: usize,
+    cells: Vec<Cell>,
+}
+
+/// A robot with the places where it starts and ends.
+#[derive(Clone, Copy)]
+pub(super) struct Run {
+    pub(super) name: &'static str,
+    pub(super) start: Point,
+    pub(super) end: Point,
+}
+
+/// Where each robot may get (over-estimated) and surely gets (under-estimated).
+pub(super) struct Reached {
+    /// Left, then right robot.
+    pub(super) may: [Vec<bool>; 2],
+    pub(super) surely: [Vec<bool>; 2],
+}
+
+/// Both robots of a scene.
+pub(super) fn runs(scene: &Scene) -> [Run; 2] {
+    let run = |name, start: pairtrawl_geometry::Pose, end: pairtrawl_geometry::Pose| Run {
+        name,
+        start: start.position(),
+        end: end.position(),
+    };
+    [
+        run("left robot", scene.start.left, scene.end.left),
+        run("right robot", scene.start.right, scene.end.right),
+    ]
+}
+
+impl FreeSpace {
+    /// The coarsest grid.
+    pub(super) fn new(things: &Things<'_>) -> Self {
+        let area = things.scene.area;
+        let extent = area.max - area.min;
+        let longest = extent.x.max(extent.y);
+        // Areas too large for the coarsest cells get larger ones.
+        let cell = COARSEST.max(longest / (MOST_CELLS as f64).sqrt());
+        let count = |length: f64| ((length / cell).ceil() as usize).max(1);
+        let (columns, rows) = (count(extent.x), count(extent.y));
+        let size = Point::new(extent.x / columns as f64, extent.y / rows as f64);
+        let mut space = Self {
+            min: area.min,
+            size,
+            columns,
+            rows,
+            cells: vec![Cell::Mixed; columns * rows],
+        };
+        space.classify(things);
+        space
+    }
+
+    /// The grid with cells of half the size; `None` at the limit.
+    pub(super) fn refined(&self, things: &Things<'_>) -> Option<Self> {
+        let (columns, rows, size) = (2 * self.columns, 2 * self.rows, self.size * 0.5);
+        if size.x.max(size.y) < FINEST || columns * rows > MOST_CELLS {
+            return None;
+        }
+        let parent = |i: usize| self.cells[(i / columns / 2) * self.columns + (i % columns) / 2];
+        let mut space = Self {
+            min: self.min,
+            size,
+            columns,
+            rows,
+            cells: (0..columns * rows).map(parent).collect(),
+        };
+        space.classify(things);
+        Some(space)
+    }
+
+    /// Decides the mixed cells as far as the distance at their centers tells.
+    fn classify(&mut self, things: &Things<'_>) {
+        let radius = things.scene.robot.radius;
+        let half = 0.5 * self.size.norm();
+        for i in 0..self.cells.len() {
+            if self.cells[i] == Cell::Mixed {
+                self.cells[i] = match things.nearest(self.center(i), radius + half + CLOSE, None) {
+                    None => Cell::Free,
+                    Some((distance, _)) if distance + half < radius - CLOSE => Cell::Blocked,
+                    Some(_) => Cell::Mixed,
+                };
+            }
+        }
+    }
+
+    pub(super) fn center(&self, i: usize) -> Point {
+        let at = |k: usize| k as f64 + 0.5;
+        self.min
+            + Point::new(
+                at(i % self.columns) * self.size.x,
+                at(i / self.columns) * self.size.y,
+            )
+    }
+
+    pub(super) fn bounds(&self, i: usize) -> Bounds {
+        let half = self.size * 0.5;
+        Bounds {
+            min: self.center(i) - half,
+            max: self.center(i) + half,
+        }
+    }
+
+    /// The cell of a point; that nearest to it for a point outside the area.
+    pub(super) fn index(&self, p: Point) -> usize {
+        let clamp = |v: f64, n: usize| (v.max(0.0) as usize).min(n - 1);
+        let d = p - self.min;
+        clamp(d.y / self.size.y, self.rows) * self.columns + clamp(d.x / self.size.x, self.columns)
+    }
+
+    /// The cells that a box meets.
+    pub(super) fn cells_near(&self, near: &Bounds) -> impl Iterator<Item = usize> + '_ {
+        let (low, high) = (self.index(near.min), self.index(near.max));
+        let columns = low % self.columns..=high % self.columns;
+        (low / self.columns..=high / self.columns).flat_map(move |row| {
+            columns
+                .clone()
+                .map(move |column| row * self.columns + column)
+        })
+    }
+
+    /// The cells joined to `from` by cells that pass; neighbors share a corner or, if `by_sides`, a side.
+    fn flood(&self, from: usize, by_sides: bool, passes: impl Fn(Cell) -> bool) -> Vec<bool> {
+        let mut reached = vec![false; self.cells.len()];
+        if !passes(self.cells[from]) {
+            return reached;
+        }
+        reached[from] = true;
+        let mut front = vec![from];
+        while let Some(i) = front.pop() {
+            let (column, row) = (i % self.columns, i / self.columns);
+            for r in row.saturating_sub(1)..=(row + 1).min(self.rows - 1) {
+                for c in column.saturating_sub(1)..=(column + 1).min(self.columns - 1) {
+                    let j = r * self.columns + c;
+                    if (!by_sides || r == row || c == column)
+                        && !reached[j]
+                        && passes(self.cells[j])
+                    {
+                        reached[j] = true;
+                        front.push(j);
+                    }
+                }
+            }
+        }
+        reached
+    }
+
+    /// Where the robots get from their starts; `None` when one of their ends lies in a surely blocked cell, which makes
+    /// the scene bad input.
+    pub(super) fn reach(&self, scene: &Scene) -> Option<Reached> {
+        let runs = runs(scene);
+        let blocked = |p: Point| self.cells[self.index(p)] == Cell::Blocked;
+        if runs
+            .iter()
+            .any(|run| blocked(run.start) || blocked(run.end))
+        {
+            return None;
+        }
+        Some(Reached {
+            may: runs.map(|run| self.flood(self.index(run.start), false, |c| c != Cell::Blocked)),
+            surely: runs.map(|run| self.flood(self.index(run.start), true, |c| c == Cell::Free)),
+        })
+    }
+}
+
+impl Reached {
+    /// A robot that cannot get from its start to its end.
+    pub(super) fn robot_without_way(&self, space: &FreeSpace, scene: &Scene) -> Option<Run> {
+        let both = runs(scene).into_iter().zip(&self.may);
+        both.into_iter()
+            .find(|(run, may)| !may[space.index(run.end)])
+            .map(|(run, _)| run)
+    }
+
+    /// True when both robots surely get to their ends, each on its own.
+    pub(super) fn has_sure_way(&self, space: &FreeSpace, scene: &Scene) -> bool {
+        runs(scene)
+            .into_iter()
+            .zip(&self.surely)
+            .all(|(run, surely)| surely[space.index(run.end)])
+    }
+}

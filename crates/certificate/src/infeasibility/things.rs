@@ -1,0 +1,129 @@
+use crate::obstacles::{Obstacles, Part};
+use pairtrawl_geometry::{Point, Segment};
+use pairtrawl_model::Scene;
+use std::fmt;
+
+/// Everything that a robot's center keeps its radius from: obstacles and objects' footprint circles.
+pub(super) struct Things<'a> {
+    pub(super) scene: &'a Scene,
+    pub(super) obstacles: Obstacles<'a>,
+}
+
+/// One of them.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(super) enum Thing {
+    Obstacle(Part),
+    Object(usize),
+}
+
+impl fmt::Display for Thing {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match self {
+            Self::Obstacle(part) => part.fmt(f),
+            Self::Object(index) => write!(f, "the footprint circle of object {index}"),
+        }
+    }
+}
+
+impl<'a> Things<'a> {
+    /// `None` when an obstacle is malformed.
+    pub(super) fn new(scene: &'a Scene) -> Option<Self> {
+        Obstacles::new(scene)
+            .ok()
+            .map(|obstacles| Self { scene, obstacles })
+    }
+
+    /// The signed distance of a point to the nearest thing when it is below `bound`, leaving out one object.
+    pub(super) fn nearest(
+        &self,
+        p: Point,
+        bound: f64,
+        skip: Option<usize>,
+    ) -> Option<(f64, Thing)> {
+        let mut found = self
+            .obstacles
+            .distance(p, bound)
+            .map(|(d, part)| (d, Thing::Obstacle(part)));
+        for (i, object) in self
+            .scene
+            .objects
+            .iter()
+            .enumerate()
+            .filter(|(i, _)| Some(*i) != skip)
+        {
+            let distance = object.position.distance(p) - object.footprint_radius();
+            if distance < found.map_or(bound, |(d, _)| d) {
+                found = Some((distance, Thing::Object(i)));
+            }
+        }
+        found
+    }
+
+    /// Like [`Self::nearest`], without one thing.
+    pub(super) fn nearest_other(
+        &self,
+        p: Point,
+        bound: f64,
+        skip: Option<usize>,
+        other: Thing,
+    ) -> Option<(f64, Thing)> {
+        let obstacles = self
+            .obstacles
+            .distances(p, bound)
+            .into_iter()
+            .map(|(d, part)| (d, Thing::Obstacle(part)));
+        let objects = self
+            .scene
+            .objects
+            .iter()
+            .enumerate()
+            .filter(|(i, _)| Some(*i) != skip);
+        let objects = objects.map(|(i, o)| {
+            (
+                o.position.distance(p) - o.footprint_radius(),
+                Thing::Object(i),
+            )
+        });
+        obstacles
+            .chain(objects)
+            .filter(|&(d, thing)| d < bound && thing != other)
+            .reduce(|a, b| if b.0 < a.0 { b } else { a })
+    }
+
+    fn outline(&self, thing: Thing) -> (Vec<Segment>, f64) {
+        match thing {
+            Thing::Obstacle(part) => self.obstacles.outline(part),
+            Thing::Object(i) => {
+                let object = &self.scene.objects[i];
+                (
+                    vec![Segment::new(object.position, object.position)],
+                    object.footprint_radius(),
+                )
+            }
+        }
+    }
+
+    /// The point of a thing's outline nearest to `p`; `p` itself for a thing without outline.
+    pub(super) fn nearest_point(&self, thing: Thing, p: Point) -> Point {
+        let (segments, radius) = self.outline(thing);
+        let feet = segments.iter().map(|s| s.nearest(p));
+        let foot = feet
+            .reduce(|a, b| if b.distance(p) < a.distance(p) { b } else { a })
+            .unwrap_or(p);
+        let away = foot.distance(p);
+        if away > 0.0 {
+            foot.lerp(p, radius / away)
+        } else {
+            foot
+        }
+    }
+
+    /// The distance between the outlines of two things, m.
+    pub(super) fn between(&self, a: Thing, b: Thing) -> f64 {
+        let ((a, ra), (b, rb)) = (self.outline(a), self.outline(b));
+        let pairs = a
+            .iter()
+            .flat_map(|s| b.iter().map(move |t| s.gap_to_segment(t).distance));
+        pairs.fold(f64::INFINITY, f64::min) - ra - rb
+    }
+}
