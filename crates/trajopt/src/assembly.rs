@@ -51,11 +51,18 @@ impl<const K: usize> Local<K> {
     }
 
     #[inline]
-    fn add_cost(&mut self, jet: &Jet<K>) {
+    fn add_gradient(&mut self, jet: &Jet<K>) {
         for i in 0..K {
             self.gradient[i] += jet.gradient[i];
             self.lagrangian[i] += jet.gradient[i];
             self.objective[i] += jet.gradient[i];
+        }
+    }
+
+    #[inline]
+    fn add_cost(&mut self, jet: &Jet<K>) {
+        self.add_gradient(jet);
+        for i in 0..K {
             for j in 0..K {
                 self.hessian[i][j] += jet.hessian[i][j];
             }
@@ -63,6 +70,8 @@ impl<const K: usize> Local<K> {
     }
 
     #[inline]
+    /// Constraints lend no curvature of their own: what they have is mostly negative (distances from convex things are to
+    /// be large), and small against that of the taut paths.
     fn add_row(&mut self, row: &mut Row<K>, jet: &Jet<K>, mu: f64) {
         row.c = jet.value;
         row.gradient = jet.gradient;
@@ -73,7 +82,7 @@ impl<const K: usize> Local<K> {
             self.lagrangian[i] -= row.z * g;
             let sg = condensed.sigma * g;
             for j in 0..K {
-                self.hessian[i][j] += sg * jet.gradient[j] - row.z * jet.hessian[i][j];
+                self.hessian[i][j] += sg * jet.gradient[j];
             }
         }
     }
@@ -86,9 +95,28 @@ impl<const K: usize> Local<K> {
             self.gradient[i] += (lambda + weight * jet.value) * g;
             self.lagrangian[i] += lambda * g;
             for j in 0..K {
-                self.hessian[i][j] += weight * g * jet.gradient[j] + lambda * jet.hessian[i][j];
+                self.hessian[i][j] += weight * g * jet.gradient[j];
             }
         }
+    }
+}
+
+/// Curvature of the Lagrangian over a step, made positive semidefinite.
+///
+/// With `u` along and `v` across the mid-step heading, `tension * s + lambda * h` has the Hessian
+/// `2 tension dv dpsi - tension s dpsi^2 - 2 lambda du dpsi`. On the linearized slip `dv = s dpsi` its first two terms are
+/// those of a taut string, `tension s dpsi^2`; the last one, `-2 lambda du dpsi`, is kept as far as the curvature in `u`
+/// that step bounds give (`along`) carries it.
+#[inline]
+fn add_string(local: &mut Local<STEP>, psi: f64, s: f64, tension: f64, lambda: f64, along: f64) {
+    let taut = (tension * s).max(0.0);
+    let most = 0.9 * (along * taut).sqrt();
+    let lateral = -lambda.clamp(-most, most);
+    let (sin, cos) = psi.sin_cos();
+    local.hessian[2][2] += taut;
+    for (k, c) in [(0, cos), (1, sin)] {
+        local.hessian[k][2] += lateral * c;
+        local.hessian[2][k] += lateral * c;
     }
 }
 
@@ -144,7 +172,7 @@ impl System {
                 let at = 2 * i + robot;
                 let z = x.step(i, robot);
                 let mut local = Local::new();
-                local.add_cost(&distance.jet(&z));
+                local.add_gradient(&distance.jet(&z));
                 let slip = NoSidewaysSlip.jet(&z);
                 self.slips[at] = (slip.value, slip.gradient);
                 local.add_equality(&slip, lambda[at]);
@@ -152,6 +180,10 @@ impl System {
                     let jet = problem.step_term(kind, jet_of(&z));
                     local.add_row(&mut set.steps[at * STEP_ROWS + kind], &jet, mu);
                 }
+                let rows = &set.steps[at * STEP_ROWS..];
+                let tension = distance.weight - rows[0].z + rows[1].z;
+                let along = rows[0].sigma() + rows[1].sigma();
+                add_string(&mut local, z[2], rows[0].c, tension, lambda[at], along);
                 self.scatter_step(i, robot, count, &local);
             }
         }
@@ -207,7 +239,7 @@ impl System {
         for i in 0..count {
             let z = x.pair(i);
             let mut local = Local::new();
-            local.add_cost(&expansion.jet(&z));
+            local.add_cost(&expansion.convex_jet(&z));
             while let Some(pair) = rows.next_if(|r| r.stage as usize == i) {
                 let jet = problem.pair_term(pair.kind, jet_of(&z));
                 local.add_row(&mut pair.row, &jet, mu);

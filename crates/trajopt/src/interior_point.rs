@@ -19,10 +19,12 @@ pub struct Settings {
     pub max_iterations: usize,
     /// First barrier parameter.
     pub initial_mu: f64,
-    /// Last barrier parameter.
-    pub final_mu: f64,
-    /// Scaled dual residual and complementarity at which the problem counts as solved.
-    pub tolerance: f64,
+    /// Factor of the barrier parameter from one barrier problem to the next.
+    pub barrier_decrease: f64,
+    /// Summed complementarity at which the problem counts as solved, as a share of the cost.
+    pub relative_gap: f64,
+    /// Decrease that a full Newton step promises at which the problem counts as solved, as a share of the cost.
+    pub relative_decrease: f64,
     /// Greatest residual of a constraint at which the problem counts as solved, m or rad.
     pub feasibility_tolerance: f64,
     /// Cost of a meter (or radian) of violation of an elastic constraint.
@@ -34,8 +36,9 @@ impl Default for Settings {
         Self {
             max_iterations: 300,
             initial_mu: 1.0,
-            final_mu: 1e-5,
-            tolerance: 1e-4,
+            barrier_decrease: 0.1,
+            relative_gap: 2e-4,
+            relative_decrease: 1e-5,
             feasibility_tolerance: 1e-6,
             elastic_weight: 3e3,
         }
@@ -75,6 +78,12 @@ pub(crate) struct State {
     pub mu: f64,
     pub iterations: usize,
     pub residuals: Residuals,
+    /// Objective at the iterate.
+    pub objective: f64,
+    /// Decrease of the barrier function that the last Newton step promised; infinite when it was cut short.
+    pub promise: f64,
+    /// Largest multiplier of an equality.
+    pub force: f64,
 }
 
 /// Merit of a point: violation and barrier function.
@@ -86,6 +95,12 @@ pub(crate) struct Merit {
 
 const FRACTION_TO_BOUNDARY: f64 = 0.99;
 const SHORTEST_STEP: f64 = 1e-6;
+/// Least shift of the diagonal: keeps directions that cost nothing from running away.
+const LEAST_SHIFT: f64 = 0.1;
+/// Shift once the cost is optimal and only violations are left to mend.
+const POLISHING_SHIFT: f64 = 100.0;
+const GREATEST_SHIFT: f64 = 1e10;
+const SMALLEST_PIVOT: f64 = 1e-8;
 /// Constraints near are looked up again when a robot moved this far, m.
 const REFRESH_DISTANCE: f64 = 0.15;
 
@@ -111,6 +126,9 @@ impl State {
             mu,
             iterations: 0,
             residuals: Residuals::default(),
+            objective: 0.0,
+            promise: f64::INFINITY,
+            force: 0.0,
         }
     }
 }
@@ -124,8 +142,8 @@ pub(crate) fn solve(
     watch: &mut dyn FnMut(&State) -> bool,
 ) -> SolverStatus {
     let mut looked_up = state.x.clone();
-    let mut shift_memory = 0.0_f64;
     work.filter.clear();
+    let mut shift = LEAST_SHIFT;
     loop {
         if moved(&looked_up, &state.x) > REFRESH_DISTANCE {
             state
@@ -146,21 +164,25 @@ pub(crate) fn solve(
         if !watch(state) {
             return SolverStatus::TimeLimit;
         }
-        if barrier_solved(state) && state.mu > settings.final_mu {
-            state.mu = (0.2 * state.mu)
-                .min(state.mu.powf(1.5))
-                .max(settings.final_mu);
+        if barrier_solved(state)
+            && state.residuals.gap > 0.5 * settings.relative_gap * state.objective.abs()
+        {
+            state.mu *= settings.barrier_decrease;
             work.filter.clear();
             work.system
                 .assemble(problem, &state.x, &mut state.set, &state.lambda, state.mu);
         }
         let free_length = problem.net_length.is_none();
-        let Some(length_step) = work.newton_direction(free_length, &mut shift_memory) else {
+        let Some(length_step) = work.newton_direction(free_length, shift) else {
             return SolverStatus::NumericalTrouble;
         };
         let (primal, dual) = recover(state, &work.system, &work.direction, length_step);
         work.line_search(problem, state, primal, dual, length_step);
         state.iterations += 1;
+        if optimal(state, settings) {
+            // What is left is slip; small steps mend it without wandering along directions that cost nothing.
+            shift = POLISHING_SHIFT;
+        }
     }
 }
 
@@ -177,7 +199,7 @@ fn moved(a: &Iterate, b: &Iterate) -> f64 {
         .fold(0.0, |most, (a, b)| most.max(change(a, b)))
 }
 
-fn residuals(state: &State, system: &System, free_length: bool) -> Residuals {
+fn residuals(state: &mut State, system: &System, free_length: bool) -> Residuals {
     let mut sum = 0.0;
     let mut count = 0.0;
     let mut r = Residuals::default();
@@ -189,7 +211,9 @@ fn residuals(state: &State, system: &System, free_length: bool) -> Residuals {
         r.gap += products;
         r.primal = r.primal.max(row.residual().abs());
     });
+    let mut force = 0.0_f64;
     for (&lambda, &(h, _)) in state.lambda.iter().zip(&system.slips) {
+        force = force.max(lambda.abs());
         sum += lambda.abs();
         count += 1.0;
         r.primal = r.primal.max(h.abs());
@@ -203,22 +227,26 @@ fn residuals(state: &State, system: &System, free_length: bool) -> Residuals {
         r.dual = r.dual.max(system.length[2].abs());
     }
     r.dual /= scale;
+    state.force = force;
     r
 }
 
-fn solved(state: &State, settings: &Settings) -> bool {
-    let r = &state.residuals;
-    state.mu <= settings.final_mu * 1.01
-        && r.dual <= settings.tolerance.max(10.0 * state.mu)
-        && r.primal <= settings.feasibility_tolerance
-        && r.complementarity <= 10.0 * state.mu
+/// The cost is optimal to the tolerances: the last Newton step promised next to nothing, and so does the rest of the barrier.
+fn optimal(state: &State, settings: &Settings) -> bool {
+    let scale = state.objective.abs().max(1.0);
+    state.residuals.gap <= settings.relative_gap * scale
+        && state.promise <= settings.relative_decrease * scale
 }
 
+fn solved(state: &State, settings: &Settings) -> bool {
+    optimal(state, settings) && state.residuals.primal <= settings.feasibility_tolerance
+}
+
+/// The barrier problem is solved well enough when the Newton step promises little against what a smaller barrier
+/// parameter gains, in cost and in violation.
 fn barrier_solved(state: &State) -> bool {
     let r = &state.residuals;
-    r.dual <= 10.0 * state.mu
-        && r.complementarity <= 10.0 * state.mu
-        && r.primal <= (0.1 * state.mu).clamp(1e-7, 1e-2)
+    state.promise <= 0.02 * r.gap && r.primal * state.force <= 0.02 * r.gap
 }
 
 /// Steps of slacks, violations and multipliers from the primal direction; the longest primal and dual step lengths.
@@ -307,47 +335,33 @@ fn dot<const K: usize>(a: &[f64; K], b: &[f64; K]) -> f64 {
 
 impl Workspace {
     /// Newton direction of poses into `self.direction`; returns that of the net length.
-    fn newton_direction(&mut self, free_length: bool, shift_memory: &mut f64) -> Option<f64> {
-        let mut shift = 0.0;
-        for _ in 0..40 {
+    fn newton_direction(&mut self, free_length: bool, least_shift: f64) -> Option<f64> {
+        let mut shift = least_shift;
+        while shift < GREATEST_SHIFT {
             self.factor.copy_shifted(&self.system.matrix, shift);
-            let mut good = self.factor.factorize(1e-8).is_ok();
-            if good {
+            if self.factor.factorize(SMALLEST_PIVOT).is_ok() {
                 self.direction.clear();
                 self.direction
                     .extend(self.system.gradient.iter().map(|g| -g));
                 self.factor.solve(&mut self.direction);
-                if free_length {
-                    self.arrow_solution.clone_from(&self.system.arrow);
-                    self.factor.solve(&mut self.arrow_solution);
-                    let schur = self.system.length[0] + shift
-                        - inner(&self.system.arrow, &self.arrow_solution);
-                    good = schur > 1e-8;
-                    if good {
-                        let step = (-self.system.length[1]
-                            - inner(&self.system.arrow, &self.direction))
-                            / schur;
-                        for (d, a) in self.direction.iter_mut().zip(&self.arrow_solution) {
-                            *d -= step * a;
-                        }
-                        *shift_memory = shift.max(*shift_memory / 3.0);
-                        return step.is_finite().then_some(step);
-                    }
-                } else {
-                    *shift_memory = if shift > 0.0 {
-                        shift
-                    } else {
-                        *shift_memory / 3.0
-                    };
+                if !free_length {
                     return Some(0.0);
                 }
+                self.arrow_solution.clone_from(&self.system.arrow);
+                self.factor.solve(&mut self.arrow_solution);
+                let schur =
+                    self.system.length[0] + shift - inner(&self.system.arrow, &self.arrow_solution);
+                if schur > SMALLEST_PIVOT {
+                    let step = (-self.system.length[1]
+                        - inner(&self.system.arrow, &self.direction))
+                        / schur;
+                    for (d, a) in self.direction.iter_mut().zip(&self.arrow_solution) {
+                        *d -= step * a;
+                    }
+                    return step.is_finite().then_some(step);
+                }
             }
-            debug_assert!(!good);
-            shift = if shift == 0.0 {
-                (*shift_memory / 3.0).max(1e-2)
-            } else {
-                shift * 8.0
-            };
+            shift *= 10.0;
         }
         None
     }
@@ -361,6 +375,7 @@ impl Workspace {
         dual: f64,
         length_step: f64,
     ) {
+        state.objective = objective(problem, &state.x);
         let start = merit(problem, state);
         let mut slope =
             inner(&self.system.objective, &self.direction) + self.system.length[3] * length_step;
@@ -378,6 +393,7 @@ impl Workspace {
         if alpha < SHORTEST_STEP {
             self.filter.clear();
         }
+        state.promise = if alpha > 0.5 { -slope } else { f64::INFINITY };
         self.take(problem, state, alpha, dual);
     }
 

@@ -85,18 +85,26 @@ impl<const K: usize> Row<K> {
         self.c - self.s + self.e
     }
 
+    /// Weight of `grad grad^T` in the condensed matrix.
+    #[inline]
+    pub fn sigma(&self) -> f64 {
+        let flex = self.s / self.z;
+        1.0 / if self.weight.is_finite() {
+            flex + self.e / self.y()
+        } else {
+            flex
+        }
+    }
+
     /// The row's part of the condensed Newton system at barrier parameter `mu`, for a residual that may carry a
     /// second-order correction.
     #[inline]
     pub fn condense(&self, mu: f64, residual: f64) -> Condensed {
-        let mut flex = self.s / self.z;
+        let sigma = self.sigma();
         let mut rho = mu / self.z - self.s - residual;
         if self.weight.is_finite() {
-            let y = self.y();
-            flex += self.e / y;
-            rho += self.e - mu / y;
+            rho += self.e - mu / self.y();
         }
-        let sigma = 1.0 / flex;
         Condensed {
             sigma,
             force: self.z + sigma * rho,

@@ -83,14 +83,13 @@ impl Expansion {
     }
 }
 
-impl Term<PAIR> for Expansion {
-    fn value(&self, &[rx, ry, _, _, d_max]: &[f64; PAIR]) -> f64 {
-        let d = rx.hypot(ry);
-        let stretch = (d - self.rest_ratio * d_max).max(0.0);
-        self.weight * (self.of_ratio(d / d_max)[0] + self.kd2 * stretch * stretch)
+impl Expansion {
+    /// As [`Term::jet`], its Hessian without what is negative: a positive semidefinite stand-in.
+    pub fn convex_jet(&self, z: &[f64; PAIR]) -> Jet<PAIR> {
+        self.jet_with(z, true)
     }
 
-    fn jet(&self, &[rx, ry, _, _, d_max]: &[f64; PAIR]) -> Jet<PAIR> {
+    fn jet_with(&self, &[rx, ry, _, _, d_max]: &[f64; PAIR], convex: bool) -> Jet<PAIR> {
         let d = rx.hypot(ry);
         let eta = d / d_max;
         let [f0, f1, f2] = self.of_ratio(eta);
@@ -103,13 +102,16 @@ impl Term<PAIR> for Expansion {
         let j_m = -f1 * eta / d_max - 2.0 * k * rho * stretch;
         let j_dd = f2 / (d_max * d_max) + 2.0 * k;
         let j_dm = -(f1 + f2 * eta) / (d_max * d_max) - 2.0 * k * rho;
-        let j_mm = (2.0 * f1 * eta + f2 * eta * eta) / (d_max * d_max) + 2.0 * k * rho * rho;
+        let mut j_mm = (2.0 * f1 * eta + f2 * eta * eta) / (d_max * d_max) + 2.0 * k * rho * rho;
+        if convex && j_dd > 0.0 {
+            j_mm = j_mm.max(j_dm * j_dm / j_dd);
+        }
         // ... and d in (rx, ry).
         let (ux, uy) = (rx / d, ry / d);
         let w = self.weight;
         let mut jet = Jet::constant(w * value);
         jet.gradient = [w * j_d * ux, w * j_d * uy, 0.0, 0.0, w * j_m];
-        let bend = j_d / d;
+        let bend = if convex { j_d.max(0.0) } else { j_d } / d;
         jet.hessian[0][0] = w * (j_dd * ux * ux + bend * uy * uy);
         jet.hessian[1][1] = w * (j_dd * uy * uy + bend * ux * ux);
         jet.set_mixed(0, 1, w * (j_dd - bend) * ux * uy);
@@ -117,5 +119,17 @@ impl Term<PAIR> for Expansion {
         jet.set_mixed(1, 4, w * j_dm * uy);
         jet.hessian[4][4] = w * j_mm;
         jet
+    }
+}
+
+impl Term<PAIR> for Expansion {
+    fn value(&self, &[rx, ry, _, _, d_max]: &[f64; PAIR]) -> f64 {
+        let d = rx.hypot(ry);
+        let stretch = (d - self.rest_ratio * d_max).max(0.0);
+        self.weight * (self.of_ratio(d / d_max)[0] + self.kd2 * stretch * stretch)
+    }
+
+    fn jet(&self, z: &[f64; PAIR]) -> Jet<PAIR> {
+        self.jet_with(z, false)
     }
 }
