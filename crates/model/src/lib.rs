@@ -4,6 +4,7 @@
 
 mod certificate;
 mod cost;
+mod execution;
 mod parameters;
 mod physics;
 mod plan;
@@ -14,6 +15,10 @@ mod trajectory;
 
 pub use certificate::{Certificate, Claim};
 pub use cost::Cost;
+pub use execution::{
+    ControlSample, ControllerKind, DragStatistics, Execution, ExecutionEvent, ExecutionEventKind,
+    TrackingStatistics, Trial, TrialConditions,
+};
 pub use parameters::PlannerParameters;
 pub use physics::PhysicsParameters;
 pub use plan::{Circle, Overrides, Plan, Rehearsal, SceneReference, SolverReport, SolverStatus};

@@ -23,6 +23,8 @@ mod robots;
 mod servo;
 mod simulation;
 mod tag;
+#[cfg(test)]
+mod theory_tests;
 mod watch;
 
 pub use contacts::Contact;
@@ -35,3 +37,4 @@ pub use robots::{RobotLoad, RobotState};
 pub use servo::RobotDrive;
 pub use simulation::Simulation;
 pub use tag::Part;
+pub use watch::Watch;

@@ -19,7 +19,8 @@ const HELD_TIME: f64 = 0.5;
 /// A held object farther outside than this beyond its own radius has escaped, m.
 const ESCAPE_DISTANCE: f64 = 0.03;
 
-pub(crate) struct Watch {
+/// Looks at a simulation step by step and keeps the record: events, tension, frames.
+pub struct Watch {
     options: Options,
     plan: PlanFollower,
     radii: Vec<f64>,
@@ -52,7 +53,8 @@ enum Holding {
 }
 
 impl Watch {
-    pub(crate) fn new(
+    /// For a simulation at its start; `plan` says where the robots should be.
+    pub fn new(
         scene: &Scene,
         options: &Options,
         plan: PlanFollower,
@@ -82,7 +84,8 @@ impl Watch {
         watch
     }
 
-    pub(crate) fn observe(&mut self, simulation: &Simulation) {
+    /// To be called after every step.
+    pub fn observe(&mut self, simulation: &Simulation) {
         self.steps += 1;
         let loads = simulation.loads();
         for sums in [&mut self.frame, &mut self.whole] {
@@ -108,7 +111,8 @@ impl Watch {
         }
     }
 
-    pub(crate) fn finish(mut self, simulation: &Simulation) -> RehearsalRecord {
+    /// The record, with the verdict.
+    pub fn finish(mut self, simulation: &Simulation) -> RehearsalRecord {
         if self.frame.steps > 0.0 {
             self.record_frame(simulation);
         }
