@@ -177,7 +177,7 @@ mod tests {
                 "cell {i}"
             );
         }
-        assert_eq!(rectangles.len(), 4 + 6);
+        assert_eq!(rectangles.len(), 4 + 5);
     }
 
     #[test]
