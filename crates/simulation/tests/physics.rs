@@ -62,7 +62,7 @@ fn a_snagged_net_holds_on_its_post() {
             right: (5.0 - 0.2 * turn_rate) * scene.physics.wheel_radius,
         };
         let (mut depth, mut gap): (f64, f64) = (0.0, 0.0);
-        while simulation.time() < 3.0 {
+        while simulation.time() < 4.5 {
             simulation.step([CRUISE; 2]).unwrap();
         }
         while simulation.time() < 8.0 {
