@@ -1,0 +1,230 @@
+//! The command line: help, codes, `new`, completions, machine-readable output, pipes.
+
+mod program;
+
+use program::{SMALL, files_below, folder_with, library_scene, program, run, stderr, stdout, text};
+use serde_json::Value;
+use std::process::Stdio;
+
+const COMMANDS: [&str; 5] = ["plan", "check", "demo", "new", "completions"];
+
+#[test]
+fn help_explains_with_examples() {
+    for command in COMMANDS {
+        let ended = run(&[command, "--help"]);
+        assert_eq!(ended.status.code(), Some(0));
+        assert!(
+            stdout(&ended).contains("Example"),
+            "{command} --help has no example"
+        );
+    }
+    let ended = run(&["--help"]);
+    for command in COMMANDS {
+        assert!(
+            stdout(&ended).contains(command),
+            "--help does not name {command}"
+        );
+    }
+}
+
+#[test]
+fn a_bad_command_line_ends_with_2() {
+    let bad: [&[&str]; 9] = [
+        &[],
+        &["fly"],
+        &["plan"],
+        &["plan", "scene.toml", "--net-length", "-1"],
+        &["plan", "scene.toml", "--net-length", "nan"],
+        &["plan", "scene.toml", "--waypoints", "2"],
+        &["plan", "scene.toml", "--time-limit", "0"],
+        &[
+            "plan",
+            "scene.toml",
+            "--no-rehearsal",
+            "--require-rehearsal",
+        ],
+        &["plan", "scene.toml", "--order", "random"],
+    ];
+    for arguments in bad {
+        let ended = run(arguments);
+        assert_eq!(
+            ended.status.code(),
+            Some(2),
+            "{arguments:?}: {}",
+            stderr(&ended)
+        );
+        assert_eq!(stdout(&ended), "", "{arguments:?}");
+    }
+}
+
+#[test]
+fn new_writes_a_scene_that_plans_and_never_overwrites() {
+    let folder = tempfile::tempdir().expect("a folder");
+    let hall = folder.path().join("halls/mine");
+    assert_eq!(run(&["new", text(&hall)]).status.code(), Some(0));
+    assert_eq!(files_below(folder.path()), ["halls/mine/scene.toml"]);
+
+    let scene = hall.join("scene.toml");
+    let out = folder.path().join("out");
+    let planned = run(&["plan", text(&scene), "-o", text(&out), "--no-rehearsal"]);
+    assert_eq!(planned.status.code(), Some(0), "{}", stderr(&planned));
+
+    std::fs::write(&scene, "mine").expect("written");
+    let again = run(&["new", text(&hall)]);
+    assert_eq!(again.status.code(), Some(8));
+    assert!(stderr(&again).contains("not overwritten"));
+    assert_eq!(std::fs::read_to_string(&scene).expect("read"), "mine");
+}
+
+#[test]
+fn completions_know_the_commands() {
+    for shell in ["bash", "zsh", "fish", "elvish", "powershell"] {
+        let script = stdout(&run(&["completions", shell]));
+        assert!(script.contains("net-length"), "{shell}");
+    }
+}
+
+#[test]
+fn every_command_prints_one_json_object() {
+    let folder = tempfile::tempdir().expect("a folder");
+    let (_scene_folder, scene) = folder_with(SMALL);
+    let out = folder.path().join("out");
+    let plan = out.join("plan.json");
+    let hall = folder.path().join("hall");
+    let calls: [&[&str]; 8] = [
+        &[
+            "plan",
+            text(&scene),
+            "-o",
+            text(&out),
+            "--no-rehearsal",
+            "--json",
+        ],
+        &["check", text(&scene), text(&plan), "--json"],
+        &["new", text(&hall), "--json"],
+        &["new", text(&hall), "--json"],
+        &["completions", "bash", "--json"],
+        &["plan", "missing.toml", "--json"],
+        &["check", text(&scene), "missing.json", "--json"],
+        &[
+            "plan",
+            text(&scene),
+            "-o",
+            text(&out),
+            "--net-length",
+            "0.5",
+            "--json",
+        ],
+    ];
+    let codes = [0, 0, 0, 8, 0, 3, 3, 4];
+    for (arguments, code) in calls.iter().zip(codes) {
+        let ended = run(arguments);
+        assert_eq!(
+            ended.status.code(),
+            Some(code),
+            "{arguments:?}: {}",
+            stderr(&ended)
+        );
+        let object: Value = serde_json::from_str(&stdout(&ended)).expect("one JSON object");
+        assert_eq!(object["exit_code"], code, "{arguments:?}");
+        assert_eq!(object["ok"], code == 0, "{arguments:?}");
+        assert_eq!(object.get("error").is_some(), code != 0, "{arguments:?}");
+    }
+}
+
+#[test]
+fn nothing_but_the_summary_is_printed_into_a_pipe() {
+    let (folder, scene) = folder_with(SMALL);
+    let out = folder.path().join("out");
+    let ended = run(&["plan", text(&scene), "-o", text(&out), "--no-rehearsal"]);
+    assert_eq!(ended.status.code(), Some(0));
+    assert_eq!(stderr(&ended), "", "progress is for terminals");
+    let said = stdout(&ended);
+    assert!(!said.contains('\u{1b}') && !said.contains('\r'), "{said:?}");
+    for word in [
+        "net",
+        "paths",
+        "drive",
+        "cost J",
+        "tightest claims",
+        "seconds",
+        "plan.json",
+    ] {
+        assert!(said.contains(word), "the summary lacks {word}: {said}");
+    }
+}
+
+#[cfg(unix)]
+#[test]
+fn a_reader_that_goes_away_is_no_fault() {
+    let mut child = program(&["completions", "zsh"])
+        .stdout(Stdio::piped())
+        .stderr(Stdio::piped())
+        .spawn()
+        .expect("the program starts");
+    drop(child.stdout.take());
+    let ended = child.wait_with_output().expect("the program ends");
+    assert_eq!(ended.status.code(), Some(0), "{}", stderr(&ended));
+    assert_eq!(stderr(&ended), "");
+}
+
+#[cfg(target_os = "linux")]
+#[test]
+fn a_full_disk_is_reported() {
+    let full = std::fs::OpenOptions::new()
+        .write(true)
+        .open("/dev/full")
+        .expect("/dev/full");
+    let ended = program(&["completions", "bash"])
+        .stdout(full)
+        .output()
+        .expect("the program starts");
+    assert_eq!(ended.status.code(), Some(8));
+}
+
+#[test]
+fn an_output_folder_that_cannot_be_made_is_reported_before_planning() {
+    let (folder, scene) = folder_with(SMALL);
+    let file = folder.path().join("file");
+    std::fs::write(&file, "").expect("written");
+    let ended = run(&[
+        "plan",
+        text(&scene),
+        "-o",
+        text(&file.join("out")),
+        "--no-rehearsal",
+    ]);
+    assert_eq!(ended.status.code(), Some(8), "{}", stderr(&ended));
+    assert!(stderr(&ended).contains(text(&file)));
+}
+
+#[cfg(unix)]
+#[test]
+fn control_c_ends_with_130_and_leaves_no_file() {
+    let folder = tempfile::tempdir().expect("a folder");
+    let out = folder.path().join("out");
+    // The greatest scene of the library: still at work when the signal comes.
+    let scene = library_scene("authors-simulation");
+    let mut child = program(&[
+        "plan",
+        text(&scene),
+        "-o",
+        text(&out),
+        "--waypoints",
+        "20000",
+    ])
+    .stdout(Stdio::piped())
+    .stderr(Stdio::piped())
+    .spawn()
+    .expect("the program starts");
+    std::thread::sleep(std::time::Duration::from_millis(300));
+    let interrupted = std::process::Command::new("kill")
+        .args(["-INT", &child.id().to_string()])
+        .status();
+    assert!(
+        interrupted.expect("kill runs").success(),
+        "the program had ended before the signal"
+    );
+    assert_eq!(child.wait().expect("the program ends").code(), Some(130));
+    assert_eq!(files_below(folder.path()), Vec::<String>::new());
+}
