@@ -26,6 +26,9 @@ fn main() -> Result<(), Box<dyn Error>> {
     let scene = scene(&input["scene"], &trajectory)?;
     let net_length = number(&input["net_length"])?;
     let mut options = Options::default();
+    if input["quick"].as_bool() == Some(true) {
+        options = Options::quick();
+    }
     let given = |key: &str, default: f64| input[key].as_f64().unwrap_or(default);
     options.time_step = given("time_step", options.time_step);
     options.settle_time = given("settle_time", options.settle_time);

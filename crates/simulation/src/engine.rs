@@ -14,7 +14,7 @@ pub(crate) fn new_world(parameters: &Parameters) -> PhysicsWorld {
     let settings = &mut world.integration_parameters;
     settings.dt = parameters.time_step;
     settings.num_solver_iterations = parameters.iterations;
-    settings.num_internal_pgs_iterations = 4;
+    settings.num_internal_pgs_iterations = parameters.sweeps;
     settings.num_internal_stabilization_iterations = 1;
     settings.friction_in_bias_pass = true;
     settings.warmstart_joints = true;

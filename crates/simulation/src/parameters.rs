@@ -27,6 +27,8 @@ pub struct Parameters {
     pub time_step: f64,
     /// Solver iterations per step.
     pub iterations: usize,
+    /// Gauss-Seidel sweeps per solver iteration.
+    pub sweeps: usize,
 }
 
 /// The robot's outline: a square in the body frame (x forward, origin on the axle).
@@ -119,6 +121,7 @@ impl Parameters {
             link_mass: physics.net_mass * net_length / links,
             time_step: options.time_step,
             iterations: options.iterations,
+            sweeps: options.sweeps,
         })
     }
 
