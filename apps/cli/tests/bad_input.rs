@@ -72,7 +72,7 @@ fn bytes_that_are_no_text() {
 
 #[test]
 fn an_empty_file() {
-    refused_text("", &["format"]);
+    refused_text("", &["empty"]);
 }
 
 #[test]
