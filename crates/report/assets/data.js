@@ -69,6 +69,16 @@ const ticksOf = (min, max, most) => {
   return { values, decimals: Math.max(0, -Math.floor(Math.log10(step) + 1e-9)) };
 };
 
+// Calls back when an element's width has changed; heights follow from it and must not call again.
+const onWidth = (element, callback) => {
+  let width = -1;
+  new ResizeObserver(() => {
+    if (element.clientWidth === width) return;
+    width = element.clientWidth;
+    callback();
+  }).observe(element);
+};
+
 const svgElement = (name, attributes, parent) => {
   const element = document.createElementNS("http://www.w3.org/2000/svg", name);
   for (const [key, value] of Object.entries(attributes || {})) element.setAttribute(key, value);

@@ -44,6 +44,7 @@
     const py = (y) => frame.height / 2 - (y - view.y) * scale;
     world.setAttribute("transform", `matrix(${scale} 0 0 ${-scale} ${px(0)} ${py(0)})`);
     axes.replaceChildren();
+    svgElement("rect", { class: "pane", x: margin.left, y: margin.top, width: frame.width, height: frame.height }, axes);
     const span = { x: frame.width / scale / 2, y: frame.height / scale / 2 };
     const bottom = margin.top + frame.height;
     const tx = ticksOf(view.x - span.x, view.x + span.x, frame.width / 60);
@@ -191,6 +192,6 @@
     });
   }
 
-  new ResizeObserver(layOut).observe(box);
+  onWidth(box, layOut);
   layOut();
 })();

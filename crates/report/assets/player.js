@@ -35,7 +35,7 @@ const player = (() => {
   const setPlaying = (playing) => {
     if (playing && state.time >= duration) setTime(0);
     state.playing = playing && duration > 0;
-    play.textContent = state.playing ? "\u275a\u275a" : "\u25b6\ufe0e";
+    play.querySelector("path").setAttribute("d", state.playing ? "M4 2h3v12h-3zM9 2h3v12h-3z" : "M4 2l9 6-9 6z");
     play.setAttribute("aria-pressed", state.playing);
     stamp = null;
     if (state.playing) requestAnimationFrame(tick);

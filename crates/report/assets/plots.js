@@ -15,6 +15,7 @@
       high = Math.max(high, v);
     }
     if (low > high) [low, high] = [0, 1];
+    const greatest = Math.max(Math.abs(low), Math.abs(high));
     // Bounds belong into the picture, unless they are so far off that the curve would become a straight line.
     const reach = 4 * Math.max(high - low, Math.abs(high), Math.abs(low), 1e-9);
     const shown = panel.limits.filter((l) => l.value >= low - reach && l.value <= high + reach);
@@ -23,7 +24,7 @@
       high = Math.max(high, limit.value);
     }
     const pad = high > low ? 0.07 * (high - low) : Math.max(1e-3, 0.1 * Math.abs(high));
-    return { low: low - pad, high: high + pad, shown, hidden: panel.limits.filter((l) => !shown.includes(l)) };
+    return { low: low - pad, high: high + pad, greatest, shown, hidden: panel.limits.filter((l) => !shown.includes(l)) };
   };
 
   const valueAt = (panel, line, time) => {
@@ -82,14 +83,15 @@
     for (const limit of range.hidden) {
       const note = document.createElement("span");
       note.className = "entry";
-      note.textContent = `${limit.label} ${formatNumber(limit.value, 2)} (outside)`;
+      const side = limit.value > range.high ? "above" : "below";
+      note.textContent = `${limit.label} ${Number(limit.value.toPrecision(3))} is ${side} the plot`;
       caption.appendChild(note);
     }
     figure.appendChild(caption);
     const svg = svgElement("svg", { role: "img", height });
     figure.appendChild(svg);
     host.appendChild(figure);
-    const decimals = Math.max(0, Math.min(5, 2 - Math.floor(Math.log10(Math.max(1e-9, range.high - range.low)))));
+    const decimals = Math.max(0, Math.min(5, 2 - Math.floor(Math.log10(Math.max(1e-9, range.greatest)))));
     const extremes = panel.lines.map((line) => {
       const finite = line.values.filter(Number.isFinite);
       const [low, high] = finite.reduce(([l, h], v) => [Math.min(l, v), Math.max(h, v)], [Infinity, -Infinity]);
@@ -177,10 +179,10 @@
   };
 
   panels.forEach(build);
-  new ResizeObserver(() => {
+  onWidth(host, () => {
     plots.forEach(layOut);
     refresh();
-  }).observe(host);
+  });
   plots.forEach(layOut);
   player.listen(({ time }) => {
     now = time;

@@ -63,7 +63,7 @@ impl Frame {
                 &label,
             );
         }
-        let ticks = Ticks::new(self.y.0, self.y.1, (self.height / 40.0) as usize);
+        let ticks = Ticks::new(self.y.0, self.y.1, (self.height / 50.0) as usize);
         for v in &ticks.values {
             let y = self.py(*v);
             let d = format!("M{} {}H{}", n(self.left), n(y), n(self.right()));

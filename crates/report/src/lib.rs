@@ -2,12 +2,16 @@
 //! [`pairtrawl_model::LengthCurve`]) and computes nothing but where on the paper things go.
 
 mod axis;
+mod csv;
 mod frame;
+mod length_svg;
 mod map;
 mod page;
 mod plan_svg;
 mod svg;
 mod words;
 
+pub use csv::{length_csv, series_csv};
+pub use length_svg::length_svg;
 pub use page::report_html;
 pub use plan_svg::plan_svg;

@@ -105,19 +105,20 @@ fn player(w: &mut Writer, summary: &Summary) {
         ],
     );
     for (id, label, sign) in [
-        ("first", "To the start (Home)", "\u{23ee}\u{fe0e}"),
-        ("back", "One step back (left arrow)", "\u{25c2}"),
-        ("play", "Play or pause (space)", "\u{25b6}\u{fe0e}"),
-        ("forward", "One step forward (right arrow)", "\u{25b8}"),
-        ("last", "To the end (End)", "\u{23ed}\u{fe0e}"),
+        (
+            "first",
+            "To the start (Home)",
+            "M3 2h2v12h-2zM14 2v12l-8-6z",
+        ),
+        ("back", "One step back (left arrow)", "M11 3v10l-7-5z"),
+        ("play", "Play or pause (space)", "M4 2l9 6-9 6z"),
+        ("forward", "One step forward (right arrow)", "M5 3v10l7-5z"),
+        ("last", "To the end (End)", "M11 2h2v12h-2zM2 2v12l8-6z"),
     ] {
-        let attributes: crate::svg::Attributes = &[
-            ("type", &"button"),
-            ("id", &id),
-            ("title", &label),
-            ("aria-label", &label),
-        ];
-        w.text("button", attributes, sign);
+        w.raw(&format!(
+            "<button type=\"button\" id=\"{id}\" title=\"{label}\" aria-label=\"{label}\">\
+             <svg viewBox=\"0 0 16 16\" width=\"16\" height=\"16\" aria-hidden=\"true\"><path d=\"{sign}\"/></svg></button>\n"
+        ));
     }
     let end = Rounded(summary.duration, 4);
     w.raw(&format!(

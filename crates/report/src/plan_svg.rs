@@ -14,7 +14,7 @@ const TOP: f64 = 62.0;
 const RIGHT: f64 = 20.0;
 const AXIS: f64 = 50.0;
 /// A legend entry, px.
-const ENTRY: (f64, f64) = (142.0, 22.0);
+const ENTRY: (f64, f64) = (158.0, 22.0);
 
 /// A standalone picture of a plan in SVG: obstacles, objects, circles, centerline, baseline, both trajectories, the
 /// floor that the net sweeps, start and end poses, with axes in meters, a scale bar and a legend below the map.
@@ -68,6 +68,16 @@ pub fn plan_svg(summary: &Summary) -> String {
         ],
     );
     w.close();
+    w.empty(
+        "rect",
+        &[
+            ("class", &"pane"),
+            ("x", &left),
+            ("y", &top),
+            ("width", &map_width),
+            ("height", &map_height),
+        ],
+    );
     map.draw_axes(&mut w, "x (m)", "y (m)");
     w.open("g", &[("clip-path", &"url(#map)")]);
     let to = Projection::pixels(&view, scale, Point::new(map.left, map.top));

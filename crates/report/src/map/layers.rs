@@ -130,14 +130,13 @@ fn rectangle(min: Point, max: Point) -> [Point; 4] {
     [min, Point::new(max.x, min.y), max, Point::new(min.x, max.y)]
 }
 
-/// The floor of the area, then everything on it that is in the way.
+/// Everything that is in the way, and the border of the area.
 fn obstacles(w: &mut Writer, summary: &Summary, to: &Projection) {
     let outline = &summary.outline;
-    let floor = to.ring(rectangle(outline.area.min, outline.area.max));
-    w.empty("path", &[("class", &"floor"), ("d", &floor)]);
+    let border = to.ring(rectangle(outline.area.min, outline.area.max));
     if let Some(rings) = &outline.free_rings {
         // The area without the free rings is what is blocked.
-        let mut d = floor.clone();
+        let mut d = border.clone();
         for ring in rings {
             d.push_str(&to.ring(ring.iter().copied()));
         }
@@ -153,7 +152,7 @@ fn obstacles(w: &mut Writer, summary: &Summary, to: &Projection) {
             Obstacle::Circle { center, radius } => circle(w, "obstacle", *center, *radius, to),
         }
     }
-    w.empty("path", &[("class", &"border"), ("d", &floor)]);
+    w.empty("path", &[("class", &"border"), ("d", &border)]);
 }
 
 /// Path data of what the line between the robots sweeps: the convex hull of each step, all counter-clockwise, so that

@@ -150,7 +150,7 @@ pub(super) fn making(w: &mut Writer, summary: &Summary) {
         ),
         ("rehearsal", words::rehearsal(&summary.rehearsal)),
     ];
-    open_table(w, &["fact", "value"]);
+    open_table(w, &["fact", "what"]);
     for (name, value) in rows.iter().filter(|(_, value)| !value.is_empty()) {
         row(w, name, &[value]);
     }
@@ -273,7 +273,12 @@ fn open_table(w: &mut Writer, columns: &[&str]) {
     w.open("thead", &[]);
     w.open("tr", &[]);
     for column in columns {
-        w.text("th", &[("scope", &"col")], column);
+        // Columns of numbers are flush right, heads included.
+        let class = match *column {
+            "margin" | "value" | "share" => "number",
+            _ => "",
+        };
+        w.text("th", &[("scope", &"col"), ("class", &class)], column);
     }
     w.close();
     w.close();
