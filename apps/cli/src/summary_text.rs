@@ -178,6 +178,7 @@ pub fn status_name(status: SolverStatus) -> &'static str {
         SolverStatus::IterationLimit => "iteration_limit",
         SolverStatus::TimeLimit => "time_limit",
         SolverStatus::NumericalTrouble => "numerical_trouble",
+        SolverStatus::NotStated => "not_stated",
     }
 }
 

@@ -104,4 +104,6 @@ pub enum SolverStatus {
     TimeLimit,
     /// The linear algebra broke down.
     NumericalTrouble,
+    /// The plan comes from a file: how it was found is not known.
+    NotStated,
 }

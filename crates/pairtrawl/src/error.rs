@@ -79,6 +79,7 @@ impl PlanError {
             SolverStatus::IterationLimit => "the optimizer ran out of iterations",
             SolverStatus::TimeLimit => "the optimizer was stopped",
             SolverStatus::NumericalTrouble => "the optimizer broke down numerically",
+            SolverStatus::NotStated => "how it was found is not known",
         };
         let Some(worst) = worst else {
             return Self::NoPlan {

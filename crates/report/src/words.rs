@@ -87,6 +87,7 @@ pub(crate) fn status(status: SolverStatus) -> &'static str {
         SolverStatus::IterationLimit => "iteration limit reached",
         SolverStatus::TimeLimit => "time limit reached",
         SolverStatus::NumericalTrouble => "numerical trouble",
+        SolverStatus::NotStated => "not stated",
     }
 }
 

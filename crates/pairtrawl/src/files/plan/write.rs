@@ -213,6 +213,7 @@ fn solver(plan: &Plan) -> FileSolver {
         SolverStatus::IterationLimit => "iteration_limit",
         SolverStatus::TimeLimit => "time_limit",
         SolverStatus::NumericalTrouble => "numerical_trouble",
+        SolverStatus::NotStated => "not_stated",
     };
     FileSolver {
         status,
