@@ -1,12 +1,10 @@
-use crate::distance_transform::{NONE, nearest_seeds};
-use crate::grid::{Cell, OccupancyGrid, Owners};
-use crate::shape::signed_distance;
+use crate::grid::{OccupancyGrid, Owners};
 use pairtrawl_geometry::{Convex, Point, Pose};
 
 /// Signed distance to the nearest obstacle, m: positive outside, negative inside.
 ///
-/// Samples at the cell centers: the distance transform finds the obstacle cells near each center, and the distance to the
-/// shapes in those cells is exact. Between the centers: the Catmull-Rom bicubic, which takes the samples' values, has
+/// Samples at the cell centers: the distance transform finds the nearest shapes, and the distance to them is exact. Between
+/// the centers: the Catmull-Rom bicubic, which takes the samples' values, has
 /// continuous first derivatives everywhere and is exact for planes. Beyond the grid it goes on linearly.
 #[derive(Clone, Debug, PartialEq)]
 pub struct DistanceField {
@@ -19,62 +17,12 @@ pub struct DistanceField {
 
 impl DistanceField {
     pub(crate) fn new(grid: &OccupancyGrid, owners: &Owners, pieces: &[Convex]) -> Self {
-        let (columns, rows) = (grid.columns, grid.rows);
-        let is_obstacle = |i: usize| grid.cells[i] == Cell::Obstacle;
-        let nearest_obstacle = nearest_seeds(columns, rows, is_obstacle);
-        let nearest_free = nearest_seeds(columns, rows, |i| !is_obstacle(i));
-        // What to call the distance when there is nothing to be distant from: the diagonal of the grid.
-        let far = grid.resolution * (columns as f64).hypot(rows as f64);
-        let center = |i: usize| grid.center(i % columns, i / columns);
-        let between = |i: usize, j: u32| {
-            if j == NONE {
-                far
-            } else {
-                center(i).distance(center(j as usize))
-            }
-        };
-
-        let mut candidates: Vec<u32> = Vec::new();
-        let samples = (0..columns * rows)
-            .map(|i| {
-                let p = center(i);
-                let own = owners
-                    .of(i)
-                    .iter()
-                    .map(|&k| signed_distance(&pieces[k as usize], p))
-                    .fold(f64::INFINITY, f64::min);
-                if is_obstacle(i) && (own <= 0.0 || owners.of(i).is_empty()) {
-                    // Inside: at least as deep as in one piece, and nearly as deep as the nearest wholly free cell is far,
-                    // which counts where pieces lie side by side.
-                    return own
-                        .min(grid.resolution - between(i, nearest_free[i]))
-                        .min(0.0);
-                }
-                candidates.clear();
-                for cell in neighborhood(i, columns, rows)
-                    .map(|n| nearest_obstacle[n])
-                    .filter(|&c| c != NONE)
-                {
-                    candidates.extend_from_slice(owners.of(cell as usize));
-                }
-                candidates.sort_unstable();
-                candidates.dedup();
-                let exact = candidates
-                    .iter()
-                    .map(|&k| signed_distance(&pieces[k as usize], p))
-                    .fold(own, f64::min);
-                if exact.is_finite() {
-                    exact
-                } else {
-                    between(i, nearest_obstacle[i])
-                }
-            })
-            .collect();
+        let samples = crate::samples::signed_distances(grid, owners, pieces);
         Self {
             origin: grid.origin,
             resolution: grid.resolution,
-            columns,
-            rows,
+            columns: grid.columns,
+            rows: grid.rows,
             samples,
         }
     }
@@ -132,16 +80,10 @@ fn inward(i: i64, n: usize) -> (usize, f64) {
     (inside as usize, (i as f64 - inside as f64).abs())
 }
 
-/// The cell and its eight neighbors inside the grid.
-fn neighborhood(i: usize, columns: usize, rows: usize) -> impl Iterator<Item = usize> {
-    let (column, row) = (i % columns, i / columns);
-    (row.saturating_sub(1)..(row + 2).min(rows)).flat_map(move |r| {
-        (column.saturating_sub(1)..(column + 2).min(columns)).map(move |c| r * columns + c)
-    })
-}
-
 /// Catmull-Rom: the node left of u, the weights of the nodes from one before it to two after it, and their derivatives.
 fn weights(u: f64) -> (i64, [f64; 4], [f64; 4]) {
+    // Far beyond the grid the sums would overflow; nothing is that far.
+    let u = u.clamp(-1e9, 1e9);
     let node = u.floor();
     let t = u - node;
     let (t2, t3) = (t * t, t * t * t);

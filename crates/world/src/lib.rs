@@ -13,6 +13,7 @@ mod map_rectangles;
 mod pieces;
 mod polygon;
 pub mod ros_map;
+mod samples;
 mod shape;
 
 pub use bounding_circle::minimum_bounding_circle;

@@ -274,19 +274,15 @@ impl<'a> Value<'a> {
     }
 }
 
-/// The known key that was probably meant.
+/// The known key that was probably meant: the one most similar to this one, if any is similar.
 fn closest<'k>(key: &str, known: &[&'k str]) -> Option<&'k str> {
-    let distance = |k: &str| strsim::damerau_levenshtein(&key.to_lowercase(), k);
-    let best = known.iter().copied().min_by_key(|k| distance(k))?;
-    // Up to a third of the letters may be wrong; or one is the start of the other, as `pos` of `position`.
-    let is_close = distance(best) <= (best.len() / 3).max(1);
-    let starts = || {
-        known
-            .iter()
-            .copied()
-            .find(|k| key.len() >= 3 && (k.starts_with(key) || key.starts_with(k)))
-    };
-    if is_close { Some(best) } else { starts() }
+    let key = key.to_lowercase();
+    let similarity = |k: &str| strsim::jaro_winkler(&key, k);
+    let best = known
+        .iter()
+        .copied()
+        .max_by(|a, b| similarity(a).total_cmp(&similarity(b)))?;
+    (similarity(best) > 0.8).then_some(best)
 }
 
 /// A value as a short text for messages.

@@ -22,8 +22,7 @@ pub struct MapMetadata {
 }
 
 /// How pixels become occupancy values.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Deserialize)]
-#[serde(rename_all = "lowercase")]
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub enum Mode {
     /// Occupied, free or unknown.
     #[default]
@@ -43,8 +42,7 @@ struct File {
     free_thresh: f64,
     occupied_thresh: f64,
     negate: Negate,
-    #[serde(default)]
-    mode: Mode,
+    mode: Option<String>,
 }
 
 #[derive(Deserialize)]
@@ -71,6 +69,14 @@ impl MapMetadata {
             Negate::Number(0) => false,
             Negate::Number(1) => true,
             Negate::Number(n) => return Err(value_error("negate", n, "0, 1, true or false")),
+        };
+        let mode = match file.mode.as_deref() {
+            None | Some("trinary") => Mode::Trinary,
+            Some("scale") => Mode::Scale,
+            Some("raw") => Mode::Raw,
+            Some(other) => {
+                return Err(value_error("mode", other, "trinary, scale or raw"));
+            }
         };
         if file.image.is_empty() {
             return Err(value_error(
@@ -118,7 +124,7 @@ impl MapMetadata {
             free_thresh: file.free_thresh,
             occupied_thresh: file.occupied_thresh,
             negate,
-            mode: file.mode,
+            mode,
         })
     }
 }
@@ -133,5 +139,6 @@ fn value_error(key: &'static str, value: impl ToString, bound: &'static str) -> 
 
 /// The parser's message without its drawing of the line in question.
 fn one_line(message: &str) -> String {
-    message.lines().next().unwrap_or_default().trim().to_owned()
+    let line = message.lines().next().unwrap_or_default().trim();
+    line.strip_prefix("error: ").unwrap_or(line).to_owned()
 }

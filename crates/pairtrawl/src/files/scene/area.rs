@@ -123,7 +123,7 @@ fn from_map(
     let area = bounding_area(&map);
     for corner in [area.min, area.max] {
         if !(corner.x.abs() <= FARTHEST && corner.y.abs() <= FARTHEST) {
-            let value = format!("such that the map reaches ({}, {})", corner.x, corner.y);
+            let value = format!("such that the map reaches ({:e}, {:e})", corner.x, corner.y);
             let bound = "such that coordinates stay between -1e6 and 1e6 (m)".to_owned();
             return Err(FileError::new(
                 &yaml_path,
