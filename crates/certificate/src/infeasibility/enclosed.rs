@@ -1,8 +1,9 @@
 use super::free_space::{FreeSpace, Reached, Run, runs};
+use super::joined::joined;
 use super::narrowest::narrowest;
 use super::things::Things;
 use super::{CAUTION, Proof, ProofKind, rounded_up};
-use pairtrawl_geometry::{Bounds, Convex, Hull, Point, Polygon};
+use pairtrawl_geometry::{Bounds, Convex, Hull, Point, Polygon, Segment};
 use pairtrawl_model::Scene;
 
 /// What is known of an object.
@@ -47,14 +48,19 @@ pub(super) fn judge(
     let close = View::new(things, center, reach.min(CLOSE_BY * keep));
     if [0, 1]
         .iter()
-        .all(|&side| close.look(space, reached, side) == Sight::Sure)
+        .all(|&side| close.look(things, space, reached, side) == Sight::Sure)
     {
         return Verdict::Reachable;
     }
-    let view = View::new(things, center, reach);
+    let mut view = View::new(things, center, reach);
     let mut verdict = Verdict::Reachable;
     for (side, run) in runs(scene).into_iter().enumerate() {
-        match view.look(space, reached, side) {
+        let mut sight = view.look(things, space, reached, side);
+        if sight == Sight::Possible && view.joined.is_none() {
+            view.joined = joined(things, space, center, reach);
+            sight = view.look(things, space, reached, side);
+        }
+        match sight {
             Sight::None => {
                 return Verdict::Enclosed(proof(
                     things,
@@ -78,6 +84,8 @@ struct View {
     reach: f64,
     near: Bounds,
     pieces: Vec<Piece>,
+    /// The cells that a line may get to, once asked for.
+    joined: Option<Vec<bool>>,
 }
 
 /// Whether a robot can stand in sight and in reach.
@@ -102,20 +110,31 @@ impl View {
             reach,
             near,
             pieces,
+            joined: None,
         }
     }
 
-    fn look(&self, space: &FreeSpace, reached: &Reached, side: usize) -> Sight {
+    fn look(
+        &self,
+        things: &Things<'_>,
+        space: &FreeSpace,
+        reached: &Reached,
+        side: usize,
+    ) -> Sight {
         let mut sight = Sight::None;
+        let joined = self.joined.as_ref();
         for i in nearest_first(space, &self.near, &reached.may[side], self.center) {
             let cell = space.bounds(i);
+            if joined.is_some_and(|joined| !joined[i]) {
+                continue;
+            }
             if cell.distance(&Bounds::of(&[self.center])) > self.reach {
                 continue;
             }
             let place = space.center(i);
             if reached.surely[side][i]
                 && place.distance(self.center) < self.reach
-                && self.is_clear(place)
+                && is_clear(things, self.center, place)
             {
                 return Sight::Sure;
             }
@@ -124,13 +143,6 @@ impl View {
             }
         }
         sight
-    }
-
-    fn is_clear(&self, place: Point) -> bool {
-        !self
-            .pieces
-            .iter()
-            .any(|piece| piece.cuts(self.center, place))
     }
 
     /// A piece that hides the whole cell from the center.
@@ -158,42 +170,76 @@ fn nearest_first(space: &FreeSpace, near: &Bounds, reached: &[bool], center: Poi
     cells
 }
 
-/// A convex region inside an obstacle.
+/// True when a line between the points enters no obstacle. (Pieces do not tell: their seams are no way through.)
+fn is_clear(things: &Things<'_>, a: Point, b: Point) -> bool {
+    things.obstacles.gap(&Hull::of(&[a, b]), -TOUCH).is_none()
+}
+
+/// The points of a convex obstacle piece that are deeper than a touch.
 struct Piece {
-    region: Convex,
+    region: Region,
     bounds: Bounds,
-    polygon: Option<Polygon>,
+}
+
+enum Region {
+    Disc {
+        center: Point,
+        radius: f64,
+    },
+    /// Inward unit normals n and offsets o: the points with n . p >= o.
+    HalfPlanes(Vec<(Point, f64)>),
 }
 
 impl From<Convex> for Piece {
-    fn from(region: Convex) -> Self {
-        let (bounds, polygon) = match &region {
-            Convex::Circle { center, radius } => (Bounds::of_disc(*center, *radius), None),
+    fn from(piece: Convex) -> Self {
+        match piece {
+            Convex::Circle { center, radius } => Self {
+                bounds: Bounds::of_disc(center, radius),
+                region: Region::Disc {
+                    center,
+                    radius: radius - TOUCH,
+                },
+            },
             Convex::Polygon(vertices) => {
-                (Bounds::of(vertices), Some(Polygon::new(vertices.clone())))
+                let polygon = Polygon::new(vertices);
+                let inward = polygon.signed_area().signum();
+                let planes = polygon.edges().filter(|e| e.length() > 0.0).map(|e| {
+                    let normal = (e.b - e.a).perp() * (inward / e.length());
+                    (normal, normal.dot(e.a) + TOUCH)
+                });
+                Self {
+                    bounds: polygon.bounds(),
+                    region: Region::HalfPlanes(planes.collect()),
+                }
             }
-        };
-        Self {
-            region,
-            bounds,
-            polygon,
         }
     }
 }
 
 impl Piece {
-    /// True when the segment enters the region by more than a touch.
+    /// True when the segment meets the region.
     fn cuts(&self, a: Point, b: Point) -> bool {
         if self.bounds.distance(&Bounds::of(&[a, b])) > 0.0 {
             return false;
         }
-        let line = Hull::of(&[a, b]);
-        let gap = match (&self.region, &self.polygon) {
-            (Convex::Circle { center, radius }, _) => line.gap_to_disc(*center, *radius),
-            (_, Some(polygon)) => line.gap_to_polygon(polygon),
-            _ => return false,
-        };
-        gap.distance < -TOUCH
+        match &self.region {
+            Region::Disc { center, radius } => Segment::new(a, b).distance(*center) < *radius,
+            Region::HalfPlanes(planes) => {
+                // Clip a + t (b - a), t in [0, 1], by every half-plane.
+                let (mut low, mut high) = (0.0_f64, 1.0_f64);
+                for &(normal, offset) in planes {
+                    let (at, slope) = (normal.dot(a) - offset, normal.dot(b - a));
+                    if slope > 0.0 {
+                        low = low.max(-at / slope);
+                    } else if slope < 0.0 {
+                        high = high.min(-at / slope);
+                    } else if at < 0.0 {
+                        return false;
+                    }
+                }
+                low < high
+            }
+        }
     }
 }
 

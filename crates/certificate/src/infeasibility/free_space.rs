@@ -131,6 +131,32 @@ impl FreeSpace {
         }
     }
 
+    /// The cells that share a side or a corner with this one, and itself.
+    pub(super) fn neighbors(&self, i: usize) -> impl Iterator<Item = usize> + use<> {
+        let (column, row, columns) = (i % self.columns, i / self.columns, self.columns);
+        let (right, top) = (
+            (column + 1).min(self.columns - 1),
+            (row + 1).min(self.rows - 1),
+        );
+        (row.saturating_sub(1)..=top)
+            .flat_map(move |r| (column.saturating_sub(1)..=right).map(move |c| r * columns + c))
+    }
+
+    pub(super) fn is_at_edge(&self, i: usize) -> bool {
+        let (column, row) = (i % self.columns, i / self.columns);
+        column == 0 || row == 0 || column + 1 == self.columns || row + 1 == self.rows
+    }
+
+    /// Number of cells.
+    pub(super) fn len(&self) -> usize {
+        self.cells.len()
+    }
+
+    /// Size of a cell, m.
+    pub(super) fn size(&self) -> Point {
+        self.size
+    }
+
     /// The cell of a point; that nearest to it for a point outside the area.
     pub(super) fn index(&self, p: Point) -> usize {
         let clamp = |v: f64, n: usize| (v.max(0.0) as usize).min(n - 1);
@@ -159,16 +185,11 @@ impl FreeSpace {
         let mut front = vec![from];
         while let Some(i) = front.pop() {
             let (column, row) = (i % self.columns, i / self.columns);
-            for r in row.saturating_sub(1)..=(row + 1).min(self.rows - 1) {
-                for c in column.saturating_sub(1)..=(column + 1).min(self.columns - 1) {
-                    let j = r * self.columns + c;
-                    if (!by_sides || r == row || c == column)
-                        && !reached[j]
-                        && passes(self.cells[j])
-                    {
-                        reached[j] = true;
-                        front.push(j);
-                    }
+            for j in self.neighbors(i) {
+                let side = j % self.columns == column || j / self.columns == row;
+                if (!by_sides || side) && !reached[j] && passes(self.cells[j]) {
+                    reached[j] = true;
+                    front.push(j);
                 }
             }
         }

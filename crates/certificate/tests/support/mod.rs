@@ -1,5 +1,9 @@
 //! Reads the compact witness files; the project's own readers live above this crate.
 
+#![allow(dead_code, reason = "each test file uses a part of this module")]
+
+pub mod build;
+
 use pairtrawl_geometry::{Point, Pose};
 use pairtrawl_model::{
     Area, Footprint, NetSpec, Object, Obstacle, PairPose, PairTrajectory, PhysicsParameters,
