@@ -75,7 +75,7 @@ impl Course<'_> {
 
     /// An attempt whose every claim holds: optimises, certifies, tightens where a claim fails, and tries again within the
     /// budget of rounds.
-    fn certified_attempt(
+    pub fn certified_attempt(
         &self,
         tightening: &mut Tightening,
         run: &mut Run,

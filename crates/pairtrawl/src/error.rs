@@ -18,10 +18,8 @@ pub enum PlanError {
     /// There is a proof that no plan exists.
     #[error("proven infeasible: {proof}")]
     Infeasible {
-        /// The proof in words and numbers.
+        /// The proof in words and numbers, and the smallest change that would help.
         proof: String,
-        /// The smallest change that would help.
-        remedy: Option<String>,
     },
     /// No certified plan was found within the budget. That is no proof that there is none.
     #[error("no certified plan found: {reason}")]
@@ -56,10 +54,9 @@ impl PlanError {
     /// What would help, when the message does not say so itself.
     pub fn remedy(&self) -> Option<&str> {
         match self {
-            Self::Infeasible { remedy, .. } => remedy.as_deref(),
             Self::NoPlan { remedy, .. } => Some(remedy),
             Self::TimeLimit { .. } => Some("give more time, or fewer waypoints"),
-            Self::BadInput { .. } | Self::Interrupted => None,
+            Self::Infeasible { .. } | Self::BadInput { .. } | Self::Interrupted => None,
         }
     }
 

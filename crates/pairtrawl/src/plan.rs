@@ -5,10 +5,11 @@ use crate::attempt::Course;
 use crate::check::{Candidate, check};
 use crate::run::Run;
 use crate::{NetLength, Observer, OrderMethod, PlanError, PlanOptions, Stage};
+use pairtrawl_certificate::infeasibility;
 use pairtrawl_model::{
     Overrides, Plan, Rehearsal, RehearsalRecord, Scene, SceneReference, StageTime,
 };
-use pairtrawl_route::{hybrid_a_star, visiting_order};
+use pairtrawl_route::{RouteError, hybrid_a_star, visiting_order};
 use pairtrawl_trajopt::evaluate;
 use pairtrawl_world::World;
 
@@ -41,11 +42,13 @@ pub fn plan(
         Some(NetLength::Fixed(length)) => Some(length),
     };
 
+    if let Some(proof) = run.stage(Stage::Proofs, || infeasibility::prove(scene, net_length))? {
+        return Err(PlanError::Infeasible {
+            proof: proof.message,
+        });
+    }
     let world = run.stage(Stage::World, || World::new(scene, net_length))??;
-    let order = match options.order {
-        OrderMethod::Shortest => run.stage(Stage::Order, || visiting_order(&world, scene))??,
-        OrderMethod::Given => run.stage(Stage::Order, || given_order(&world))?,
-    };
+    let order = run.stage(Stage::Order, || order_of(&world, scene, options.order))??;
     let centerline = run.stage(Stage::Centerline, || {
         hybrid_a_star::centerline(&world, scene, &order)
     })??;
@@ -96,9 +99,18 @@ pub fn plan(
     })
 }
 
-/// The circles in the order in which the scene lists their first objects.
-fn given_order(world: &World) -> Vec<usize> {
-    let mut order: Vec<usize> = (0..world.circles.len()).collect();
-    order.sort_by_key(|&circle| world.circles[circle].objects.iter().min().copied());
-    order
+/// The visiting order by a method.
+pub(crate) fn order_of(
+    world: &World,
+    scene: &Scene,
+    method: OrderMethod,
+) -> Result<Vec<usize>, RouteError> {
+    match method {
+        OrderMethod::Shortest => visiting_order(world, scene),
+        OrderMethod::Given => {
+            let mut order: Vec<usize> = (0..world.circles.len()).collect();
+            order.sort_by_key(|&circle| world.circles[circle].objects.iter().min().copied());
+            Ok(order)
+        }
+    }
 }
