@@ -14,7 +14,7 @@ const SPACING: f64 = 0.1;
 /// Spacing of the result, m.
 const RESULT_SPACING: f64 = 0.05;
 /// Tension alpha, 1.
-const TENSION: f64 = 1.0;
+const TENSION: f64 = 0.5;
 /// Bending stiffness beta, m^2: sqrt(beta / alpha) is the radius in which a taut band rounds a corner.
 const BENDING: f64 = 0.25;
 /// Inertia: pulls every vertex towards its last position, 1/m^2.
@@ -25,9 +25,20 @@ const GOAL: f64 = 60.0;
 const ROOM: f64 = 40.0;
 /// Stiffness of the spring that keeps objects well inside or outside of the band, 1/m^2.
 const OBJECT: f64 = 6.0;
+/// How near to a circle's center its spring is at rest, m: exact passage is not worth a sharp bend.
+const GOAL_REST: f64 = 0.07;
 /// Tightest curvature that the band tolerates before it stiffens there, 1/m.
-const CURVATURE: f64 = 1.0 / 0.5;
-const ITERATIONS: usize = 70;
+const CURVATURE: f64 = 1.0 / 0.55;
+/// Factor by which it stiffens in an iteration, and stiffness at most.
+const STIFFEN: f64 = 1.2;
+const STIFFEST: f64 = 200.0;
+/// Vertices on either side that stiffen along: a bend must not just move to the next vertex.
+const SPREAD: usize = 3;
+/// Curvature at which the spring of a circle nearby yields, 1/m, and how soft it may become: in a sharp corner a circle
+/// is better taken off the middle of the band than by a pair that turns on the spot.
+const YIELD: f64 = 1.0 / 0.4;
+const SOFTEST: f64 = 0.02;
+const ITERATIONS: usize = 80;
 /// Iterations after which the vertices are spread evenly again.
 const REFRESH: usize = 10;
 
@@ -52,6 +63,8 @@ struct Band<'a> {
     points: Vec<Point>,
     /// Bending stiffness at each vertex relative to [`BENDING`].
     stiffness: Vec<f64>,
+    /// Stiffness of the spring at each goal relative to [`GOAL`].
+    goals: Vec<f64>,
 }
 
 impl<'a> Band<'a> {
@@ -62,11 +75,13 @@ impl<'a> Band<'a> {
             itinerary,
             points,
             stiffness: Vec::new(),
+            goals: vec![1.0; itinerary.goals.len()],
         }
     }
 
     /// Spreads the vertices evenly and puts the second and the last but one where the end headings want them.
     fn spread(&mut self) {
+        let before = self.points.len();
         self.points = resample(&self.points, SPACING);
         // Two fixed vertices at both ends and something to move in between.
         while self.points.len() < 6 {
@@ -85,7 +100,17 @@ impl<'a> Band<'a> {
             self.points[1] = self.itinerary.start.position() + self.itinerary.start.forward() * h;
             self.points[n - 2] = self.itinerary.end.position() - self.itinerary.end.forward() * h;
         }
-        self.stiffness = vec![1.0; n];
+        // What was stiff stays stiff: the vertices hardly move along the band.
+        let old = std::mem::take(&mut self.stiffness);
+        self.stiffness = (0..n)
+            .map(|i| {
+                if old.len() == before && before > 0 {
+                    old[(i * before / n).min(before - 1)]
+                } else {
+                    1.0
+                }
+            })
+            .collect();
     }
 
     /// The vertex nearest to each goal, in order along the band.
@@ -104,6 +129,7 @@ impl<'a> Band<'a> {
             .map(|w| w[0].distance(w[1]))
             .sum::<f64>()
             / (n - 1) as f64;
+        let attachments = self.attachments();
         let mut matrix = Pentadiagonal::zeros(n);
         for i in 0..n - 1 {
             matrix.add(i, [-1.0, 1.0, 0.0], TENSION / h);
@@ -112,7 +138,16 @@ impl<'a> Band<'a> {
             let [a, b, c] = [self.points[i], self.points[i + 1], self.points[i + 2]];
             let curvature = (a - b * 2.0 + c).norm() / (h * h);
             if curvature > CURVATURE {
-                self.stiffness[i + 1] = (self.stiffness[i + 1] * 1.3).min(20.0);
+                for k in i.saturating_sub(SPREAD)..(i + 3 + SPREAD).min(n) {
+                    self.stiffness[k] = (self.stiffness[k] * STIFFEN).min(STIFFEST);
+                }
+            }
+            if curvature > YIELD {
+                for (spring, &at) in self.goals.iter_mut().zip(&attachments) {
+                    if at.abs_diff(i + 1) <= 2 * SPREAD {
+                        *spring = (*spring * 0.85).max(SOFTEST);
+                    }
+                }
             }
             matrix.add(
                 i,
@@ -131,11 +166,17 @@ impl<'a> Band<'a> {
             x.push(target.x);
             y.push(target.y);
         }
-        for (k, i) in self.attachments().into_iter().enumerate() {
-            let goal = self.itinerary.goals[k];
-            matrix.diagonal[i] += GOAL;
-            x[i] += GOAL * goal.x;
-            y[i] += GOAL * goal.y;
+        for (k, i) in attachments.into_iter().enumerate() {
+            let center = self.itinerary.goals[k];
+            let miss = self.points[i] - center;
+            let goal = center
+                + miss
+                    * (GOAL_REST / miss.norm().max(GOAL_REST))
+                        .min(miss.norm() / miss.norm().max(1e-12));
+            let spring = GOAL * self.goals[k];
+            matrix.diagonal[i] += spring;
+            x[i] += spring * goal.x;
+            y[i] += spring * goal.y;
         }
         // Fixed vertices by a penalty far above everything else.
         for i in [0, 1, n - 2, n - 1] {
