@@ -118,7 +118,7 @@ impl RobotBody {
                 forward,
                 turn_rate,
             } => {
-                let (v, w) = servo::track(&self.state, pose, forward, turn_rate);
+                let (v, w) = servo::track(parameters, &self.state, pose, forward, turn_rate);
                 servo::wheel_forces(parameters, &self.state, v, w)
             }
         };
