@@ -39,6 +39,12 @@ pub enum Command {
     Check(CheckArguments),
     /// Plan the paper's simulation, embedded in the program
     Demo(DemoArguments),
+    /// Drive a plan in physics: net, objects, contacts
+    Rehearse(RehearseArguments),
+    /// Cost of the best plan over the length of the net
+    Length(LengthArguments),
+    /// Make a scene that is solvable by construction, with its solution
+    Generate(GenerateArguments),
     /// Write a commented scene to start from
     New(NewArguments),
     /// Print a completion script for a shell
@@ -84,6 +90,10 @@ pub struct PlanningArguments {
     #[arg(long, value_enum, default_value_t = Order::Shortest)]
     pub order: Order,
 
+    /// Seed of whatever is random; planning with hybrid A* is not
+    #[arg(long, value_name = "S", default_value_t = 0)]
+    pub seed: u64,
+
     /// Give up after so many seconds (exit 5, no plan is written)
     #[arg(long, value_name = "S", value_parser = parse_seconds)]
     pub time_limit: Option<f64>,
@@ -112,6 +122,95 @@ pub struct CheckArguments {
     /// The plan, a JSON file
     #[arg(value_name = "PLAN", value_hint = ValueHint::FilePath)]
     pub plan: PathBuf,
+}
+
+/// `pairtrawl rehearse`.
+#[derive(Debug, Args)]
+#[command(after_help = "Example:
+  pairtrawl rehearse hall/scene.toml out/plan.json -o out/rehearsal
+
+Passes when the net touches no obstacle, no robot touches an object from outside or its partner, tension stays below
+the scene's bound and every object lies in the net at the end; exit 7 when not. What is rehearsed is not proven.")]
+pub struct RehearseArguments {
+    /// The scene, a TOML file
+    #[arg(value_name = "SCENE", value_hint = ValueHint::FilePath)]
+    pub scene: PathBuf,
+
+    /// The plan, a JSON file
+    #[arg(value_name = "PLAN", value_hint = ValueHint::FilePath)]
+    pub plan: PathBuf,
+
+    /// Where to write `report.html` with the run in motion; left out: nothing is written
+    #[arg(short, long, value_name = "DIR", value_hint = ValueHint::DirPath)]
+    pub output: Option<PathBuf>,
+
+    /// Larger time steps: faster, good enough for runs without snags
+    #[arg(long)]
+    pub quick: bool,
+}
+
+/// `pairtrawl length`.
+#[derive(Debug, Args)]
+#[command(after_help = "Example:
+  pairtrawl length hall/scene.toml --from 1.0 --to 3.0 --points 21 -o out/length
+
+Number of waypoints, visiting order and sides are the same for every length. Writes length.json, length.csv, length.svg.")]
+pub struct LengthArguments {
+    /// The scene, a TOML file
+    #[arg(value_name = "SCENE", value_hint = ValueHint::FilePath)]
+    pub scene: PathBuf,
+
+    /// Least length in meters instead of the least that the ends allow
+    #[arg(long, value_name = "L", value_parser = parse_length)]
+    pub from: Option<f64>,
+
+    /// Greatest length in meters
+    #[arg(long, value_name = "L", value_parser = parse_length)]
+    pub to: Option<f64>,
+
+    /// How many lengths, evenly spaced
+    #[arg(long, value_name = "N", value_parser = clap::value_parser!(u32).range(2..=1000))]
+    pub points: Option<u32>,
+
+    /// Number of waypoints N instead of one that follows from the path length
+    #[arg(long, value_name = "N", value_parser = clap::value_parser!(u32).range(3..=1_000_000))]
+    pub waypoints: Option<u32>,
+
+    /// Visiting order: the scene's own, or the shortest
+    #[arg(long, value_enum)]
+    pub order: Option<Order>,
+
+    /// Where to write, created when missing
+    #[arg(short, long, value_name = "DIR", default_value = "out", value_hint = ValueHint::DirPath)]
+    pub output: PathBuf,
+}
+
+/// `pairtrawl generate`.
+#[derive(Debug, Args)]
+#[command(after_help = "Example:
+  pairtrawl generate --kind witness --difficulty 7 --seed 42 -n 300 -o scenes/mine
+
+Writes scene.toml and witness.json, a plan that passes every claim: it shows that the scene can be done.")]
+pub struct GenerateArguments {
+    /// Free bends through scattered obstacles, or a hall of lanes
+    #[arg(long, value_enum, default_value_t = Kind::Witness)]
+    pub kind: Kind,
+
+    /// From 1, roomy, to 10, within millimeters of what can be done
+    #[arg(long, value_name = "D", default_value_t = 5, value_parser = clap::value_parser!(u8).range(1..=10))]
+    pub difficulty: u8,
+
+    /// The same seed gives the same scene
+    #[arg(long, value_name = "S", default_value_t = 0)]
+    pub seed: u64,
+
+    /// Waypoints of the witness, about 4 cm of driving each
+    #[arg(short = 'n', long, value_name = "N", default_value_t = 200, value_parser = clap::value_parser!(u32).range(60..=50_000))]
+    pub waypoints: u32,
+
+    /// Where to write, created when missing
+    #[arg(short, long, value_name = "DIR", default_value = "out/scene", value_hint = ValueHint::DirPath)]
+    pub output: PathBuf,
 }
 
 /// `pairtrawl demo`.
@@ -148,6 +247,15 @@ pub struct CompletionsArguments {
     pub shell: clap_complete::Shell,
 }
 
+/// Kinds of generated scenes.
+#[derive(Clone, Copy, Debug, ValueEnum)]
+pub enum Kind {
+    /// Free bends through scattered obstacles
+    Witness,
+    /// Parallel lanes between walls
+    Serpentine,
+}
+
 /// Visiting orders.
 #[derive(Clone, Copy, Debug, ValueEnum)]
 pub enum Order {
@@ -160,14 +268,12 @@ pub enum Order {
 impl PlanningArguments {
     /// The same, as the library takes it.
     pub fn options(&self) -> pairtrawl::PlanOptions {
-        use pairtrawl::{OrderMethod, RehearsalMode};
+        use pairtrawl::RehearsalMode;
         pairtrawl::PlanOptions {
             net_length: self.net_length,
             waypoints: self.waypoints.map(|n| n as usize),
-            order: match self.order {
-                Order::Given => OrderMethod::Given,
-                Order::Shortest => OrderMethod::Shortest,
-            },
+            order: self.order.into(),
+            seed: self.seed,
             time_limit: self.time_limit.map(std::time::Duration::from_secs_f64),
             rehearsal: match (self.no_rehearsal, self.require_rehearsal) {
                 (true, _) => RehearsalMode::Skip,
@@ -179,6 +285,15 @@ impl PlanningArguments {
     }
 }
 
+impl From<Order> for pairtrawl::OrderMethod {
+    fn from(order: Order) -> Self {
+        match order {
+            Order::Given => Self::Given,
+            Order::Shortest => Self::Shortest,
+        }
+    }
+}
+
 /// Greatest net length that the command line takes, m.
 const LONGEST_NET: f64 = 1000.0;
 
@@ -186,13 +301,15 @@ fn parse_net_length(text: &str) -> Result<pairtrawl::NetLength, String> {
     if text == "auto" {
         return Ok(pairtrawl::NetLength::Auto);
     }
+    parse_length(text)
+        .map(pairtrawl::NetLength::Fixed)
+        .map_err(|error| format!("{error}, or `auto`"))
+}
+
+fn parse_length(text: &str) -> Result<f64, String> {
     match text.parse::<f64>() {
-        Ok(length) if length > 0.0 && length <= LONGEST_NET => {
-            Ok(pairtrawl::NetLength::Fixed(length))
-        }
-        _ => Err(format!(
-            "give `auto` or a length above 0 and up to {LONGEST_NET} m"
-        )),
+        Ok(length) if length > 0.0 && length <= LONGEST_NET => Ok(length),
+        _ => Err(format!("give a length above 0 and up to {LONGEST_NET} m")),
     }
 }
 

@@ -20,6 +20,9 @@ fn main() {
         Command::Plan(plan) => commands::plan(plan),
         Command::Check(check) => commands::check(check),
         Command::Demo(demo) => commands::demo(demo),
+        Command::Rehearse(rehearse) => commands::rehearse(rehearse),
+        Command::Length(length) => commands::length(length),
+        Command::Generate(generate) => commands::generate(generate),
         Command::New(new) => commands::new(new),
         Command::Completions(completions) => commands::completions(completions),
     };

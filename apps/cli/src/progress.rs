@@ -22,6 +22,13 @@ impl Progress {
         Self { spinner }
     }
 
+    /// A spinner beside one message.
+    pub fn saying(message: &'static str) -> Self {
+        let progress = Self::new();
+        progress.spinner.set_message(message);
+        progress
+    }
+
     /// Clears the spinner.
     pub fn finish(self) {
         self.spinner.finish_and_clear();

@@ -2,11 +2,12 @@
 
 use pairtrawl::model::{ClaimSummary, Rehearsal, SolverStatus, Summary};
 use serde_json::{Value, json};
-use std::cmp::Ordering;
 use std::fmt::Write;
 
 /// How many of the tightest claims the terminal shows.
 const TIGHTEST: usize = 6;
+/// Below this margin, in its own unit, a claim counts as exhausted.
+const AT_LIMIT: f64 = 2e-4;
 
 /// The short summary that follows planning.
 pub fn plan_text(summary: &Summary) -> String {
@@ -59,6 +60,15 @@ pub fn plan_text(summary: &Summary) -> String {
     );
     for (name, value) in lines {
         let _ = writeln!(text, "  {name:<10} {value}");
+    }
+    let exhausted: Vec<_> = summary
+        .claims
+        .iter()
+        .filter(|claim| claim.claim.place.is_some() && at_limit(claim))
+        .map(|claim| claim.claim.name)
+        .collect();
+    if !exhausted.is_empty() {
+        let _ = writeln!(text, "  at limit   {}", exhausted.join(", "));
     }
     let _ = writeln!(text, "  tightest claims");
     for claim in tightest(&summary.claims) {
@@ -157,7 +167,8 @@ pub fn rehearsal_json(rehearsal: &Rehearsal) -> Value {
     }
 }
 
-fn rehearsal_text(rehearsal: &Rehearsal) -> String {
+/// A rehearsal's verdict for people.
+pub fn rehearsal_text(rehearsal: &Rehearsal) -> String {
     match rehearsal {
         Rehearsal::Passed => "passed".to_owned(),
         Rehearsal::Skipped => "skipped".to_owned(),
@@ -191,18 +202,18 @@ fn number(value: f64) -> Value {
     }
 }
 
-/// Claims with a place, the one with the least margin first.
+/// Claims that say how much room there is, the one with the least margin first.
 fn tightest(claims: &[ClaimSummary]) -> Vec<&ClaimSummary> {
     let mut placed: Vec<_> = claims
         .iter()
-        .filter(|summary| summary.claim.place.is_some())
+        .filter(|summary| summary.claim.place.is_some() && !at_limit(summary))
         .collect();
-    placed.sort_by(|a, b| {
-        a.claim
-            .margin
-            .partial_cmp(&b.claim.margin)
-            .unwrap_or(Ordering::Equal)
-    });
+    placed.sort_by(|a, b| a.claim.margin.total_cmp(&b.claim.margin));
     placed.truncate(TIGHTEST);
     placed
+}
+
+/// Claims that a good plan exhausts or whose whole bound is a tolerance: there is nothing to see in their margins.
+fn at_limit(summary: &ClaimSummary) -> bool {
+    summary.claim.holds && summary.claim.margin.abs() < AT_LIMIT
 }

@@ -9,6 +9,8 @@ pub struct PlanOptions {
     pub waypoints: Option<usize>,
     /// How the visiting order is found.
     pub order: OrderMethod,
+    /// Seed of whatever is random. Hybrid A* is not.
+    pub seed: u64,
     /// Gives up after this time, checked between steps of work.
     pub time_limit: Option<Duration>,
     /// Whether the plan is rehearsed in physics.
@@ -25,6 +27,7 @@ impl Default for PlanOptions {
             net_length: None,
             waypoints: None,
             order: OrderMethod::Shortest,
+            seed: 0,
             time_limit: None,
             rehearsal: RehearsalMode::Report,
             rounds: 6,

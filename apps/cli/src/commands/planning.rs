@@ -113,7 +113,7 @@ fn write(folder: &Path, plan: &Plan, summary: &Summary) -> Result<Vec<PathBuf>, 
     Ok(texts.iter().map(|(name, _)| file(name)).collect())
 }
 
-fn list(files: &[PathBuf]) -> String {
+pub fn list(files: &[PathBuf]) -> String {
     files
         .iter()
         .map(|file| file.display().to_string())

@@ -1,0 +1,155 @@
+use super::planning::{create_folder, list};
+use crate::arguments::LengthArguments;
+use crate::exit::{Exit, Failure};
+use crate::interrupt;
+use crate::output::{self, Done};
+use crate::progress::Progress;
+use pairtrawl::files::{read_scene, write_atomically};
+use pairtrawl::model::{Cost, LengthCurve};
+use pairtrawl::{LengthRange, OrderMethod, PlanOptions, report};
+use serde_json::{Value, json};
+use std::fmt::Write;
+
+/// A net is as good as the best one while its cost is within this share of the least.
+const FLAT: f64 = 0.01;
+
+/// `pairtrawl length`: the cost of the best plan over the length of the net.
+pub fn length(arguments: &LengthArguments) -> Result<Done, Failure> {
+    let loaded = read_scene(&arguments.scene)?;
+    create_folder(&arguments.output)?;
+    let fallback = LengthRange::default_for(&loaded.scene);
+    let from = arguments.from.unwrap_or(fallback.from);
+    let range = LengthRange {
+        from,
+        to: arguments.to.unwrap_or(fallback.to.max(from + 1.0)),
+        points: arguments
+            .points
+            .map_or(fallback.points, |points| points as usize),
+    };
+    if range.from >= range.to {
+        return Err(Failure::new(
+            Exit::Usage,
+            format!(
+                "--from is {} m and --to is {} m: the first must be less",
+                range.from, range.to
+            ),
+        ));
+    }
+    let options = PlanOptions {
+        waypoints: arguments.waypoints.map(|n| n as usize),
+        order: arguments.order.map_or(OrderMethod::Shortest, Into::into),
+        ..PlanOptions::default()
+    };
+    let mut progress = Progress::new();
+    let curve = pairtrawl::length_curve(&loaded.scene, &options, &range, &mut progress);
+    progress.finish();
+    let curve = curve?;
+
+    let object = curve_json(&curve);
+    let json_text = format!("{object}\n");
+    let (csv, svg) = (report::length_csv(&curve), report::length_svg(&curve));
+    let contents = [
+        ("length.csv", &csv),
+        ("length.svg", &svg),
+        ("length.json", &json_text),
+    ];
+    let files: Vec<_> = contents
+        .iter()
+        .map(|(name, _)| arguments.output.join(name))
+        .collect();
+    interrupt::while_writing(|| {
+        files
+            .iter()
+            .zip(&contents)
+            .try_for_each(|(path, (_, text))| write_atomically(path, text.as_bytes()))
+    })?;
+
+    let mut text = curve_text(&curve);
+    output::warnings(&mut text, &loaded.warnings);
+    let _ = writeln!(text, "wrote {}", list(&files));
+    let mut object = object;
+    object["command"] = json!("length");
+    object["warnings"] = json!(loaded.warnings);
+    object["files"] = files
+        .iter()
+        .map(|file| file.display().to_string())
+        .collect();
+    Ok(Done {
+        exit: Exit::Done,
+        text,
+        object,
+    })
+}
+
+fn curve_text(curve: &LengthCurve) -> String {
+    let mut text = String::new();
+    let _ = writeln!(text, "{}: cost over net length", curve.title);
+    let _ = writeln!(
+        text,
+        "  {:>8} {:>12} {:>12} {:>12} {:>12}",
+        "net m", "J", "smoothness", "distance", "expansion"
+    );
+    for point in &curve.points {
+        let _ = match &point.outcome {
+            Ok(cost) => writeln!(
+                text,
+                "  {:>8.3} {:>12.1} {:>12.1} {:>12.1} {:>12.1}",
+                point.net_length,
+                cost.total(),
+                cost.smoothness,
+                cost.distance,
+                cost.expansion
+            ),
+            Err(reason) => writeln!(text, "  {:>8.3} no plan: {reason}", point.net_length),
+        };
+    }
+    if let Some((length, cost)) = &curve.minimum {
+        let _ = writeln!(
+            text,
+            "  least J {:.1} with a net of {length:.3} m",
+            cost.total()
+        );
+    }
+    if let Some((low, high)) = flat(curve) {
+        let _ = writeln!(
+            text,
+            "  within {:.0} % of it from {low:.3} to {high:.3} m",
+            FLAT * 100.0
+        );
+    }
+    text
+}
+
+fn curve_json(curve: &LengthCurve) -> Value {
+    let terms = |cost: &Cost| {
+        json!({
+            "total": cost.total(),
+            "smoothness": cost.smoothness,
+            "distance": cost.distance,
+            "obstacle": cost.obstacle,
+            "expansion": cost.expansion,
+        })
+    };
+    json!({
+        "scene": curve.title,
+        "points": curve.points.iter().map(|point| match &point.outcome {
+            Ok(cost) => json!({ "net_length": point.net_length, "cost": terms(cost) }),
+            Err(reason) => json!({ "net_length": point.net_length, "reason": reason }),
+        }).collect::<Vec<_>>(),
+        "minimum": curve.minimum.as_ref().map(|(length, cost)| json!({ "net_length": length, "cost": terms(cost) })),
+        "flat": flat(curve).map(|(low, high)| json!({ "share": FLAT, "from": low, "to": high })),
+    })
+}
+
+/// The least and the greatest of the computed lengths whose cost is within [`FLAT`] of the least cost.
+fn flat(curve: &LengthCurve) -> Option<(f64, f64)> {
+    let least = curve.minimum.as_ref()?.1.total();
+    let good = |cost: &Cost| cost.total() <= least * (1.0 + FLAT);
+    let lengths: Vec<f64> = curve
+        .points
+        .iter()
+        .filter(|point| point.outcome.as_ref().is_ok_and(good))
+        .map(|point| point.net_length)
+        .collect();
+    Some((*lengths.first()?, *lengths.last()?))
+}
