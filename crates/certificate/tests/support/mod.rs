@@ -2,7 +2,9 @@
 
 #![allow(dead_code, reason = "each test file uses a part of this module")]
 
+pub mod brute;
 pub mod build;
+pub mod random;
 
 use pairtrawl_geometry::{Point, Pose};
 use pairtrawl_model::{
