@@ -1,5 +1,5 @@
 use crate::grid::{OccupancyGrid, Owners};
-use pairtrawl_geometry::{Convex, Point, Pose};
+use pairtrawl_geometry::{Convex, Point};
 
 /// Signed distance to the nearest obstacle, m: positive outside, negative inside.
 ///
@@ -8,7 +8,9 @@ use pairtrawl_geometry::{Convex, Point, Pose};
 /// continuous first derivatives everywhere and is exact for planes. Beyond the grid it goes on linearly.
 #[derive(Clone, Debug, PartialEq)]
 pub struct DistanceField {
-    origin: Pose,
+    /// Outer corner of the first cell, and the unit vector along the grid's rows, map frame.
+    corner: Point,
+    axis: Point,
     resolution: f64,
     columns: usize,
     rows: usize,
@@ -19,7 +21,8 @@ impl DistanceField {
     pub(crate) fn new(grid: &OccupancyGrid, owners: &Owners, pieces: &[Convex]) -> Self {
         let samples = crate::samples::signed_distances(grid, owners, pieces);
         Self {
-            origin: grid.origin,
+            corner: grid.origin.position(),
+            axis: grid.axis(),
             resolution: grid.resolution,
             columns: grid.columns,
             rows: grid.rows,
@@ -37,8 +40,8 @@ impl DistanceField {
         if !p.is_finite() {
             return (f64::NAN, Point::new(f64::NAN, f64::NAN));
         }
-        let (sin, cos) = self.origin.heading.sin_cos();
-        let d = (p - self.origin.position()) / self.resolution;
+        let Point { x: cos, y: sin } = self.axis;
+        let d = (p - self.corner) / self.resolution;
         let (column, wx, dx) = weights(cos * d.x + sin * d.y - 0.5);
         let (row, wy, dy) = weights(cos * d.y - sin * d.x - 0.5);
         let (mut value, mut along_x, mut along_y) = (0.0, 0.0, 0.0);

@@ -33,6 +33,8 @@ pub struct OccupancyGrid {
     pub rows: usize,
     /// Index `row * columns + column`.
     pub cells: Vec<Cell>,
+    /// The unit vector along the rows, map frame.
+    axis: Point,
     area: Area,
     outside: Cell,
 }
@@ -100,12 +102,18 @@ impl OccupancyGrid {
     /// Center of a cell, map frame.
     pub fn center(&self, column: usize, row: usize) -> Point {
         let c = Point::new(column as f64 + 0.5, row as f64 + 0.5) * self.resolution;
-        self.origin.position() + turned(c, self.origin.heading)
+        self.origin.position() + turned(c, self.axis)
     }
 
     /// A map-frame point in cells: the integer parts are column and row.
     pub fn to_cells(&self, p: Point) -> Point {
-        turned(p - self.origin.position(), -self.origin.heading) / self.resolution
+        let back = Point::new(self.axis.x, -self.axis.y);
+        turned(p - self.origin.position(), back) / self.resolution
+    }
+
+    /// The unit vector along the rows, map frame.
+    pub(crate) fn axis(&self) -> Point {
+        self.axis
     }
 
     fn empty(area: &Area, map: Option<&OccupancyMap>) -> Result<Self, WorldError> {
@@ -130,13 +138,15 @@ impl OccupancyGrid {
         };
         let (columns, rows) = grid_size(width, height, resolution)?;
         let border = border_cells(resolution) as f64 * resolution;
-        let origin = corner - turned(Point::new(border, border), heading);
+        let axis = Point::unit(heading);
+        let origin = corner - turned(Point::new(border, border), axis);
         Ok(Self {
             origin: Pose::at(origin, heading),
             resolution,
             columns,
             rows,
             cells: vec![Cell::Free; columns * rows],
+            axis,
             area: *area,
             outside: if map.is_some() {
                 Cell::Obstacle
@@ -217,7 +227,7 @@ fn border_cells(resolution: f64) -> usize {
     (REACH / resolution).ceil() as usize
 }
 
-fn turned(v: Point, angle: f64) -> Point {
-    let (sin, cos) = angle.sin_cos();
-    Point::new(cos * v.x - sin * v.y, sin * v.x + cos * v.y)
+/// v turned by the angle of a unit vector.
+fn turned(v: Point, axis: Point) -> Point {
+    Point::new(axis.x * v.x - axis.y * v.y, axis.y * v.x + axis.x * v.y)
 }

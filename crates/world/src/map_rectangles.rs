@@ -21,29 +21,74 @@ impl CellRange {
     }
 }
 
-/// Maximal rectangles of blocked cells (they may overlap) that cover every blocked cell with a free one among its eight
-/// neighbors. Cells deeper inside bound nothing and may stay uncovered, so the boundary of the union is exactly the
-/// boundary between blocked and free cells.
+/// Rectangles reach at most so many cells to each side of the cell that they start from.
+const REACH: usize = 128;
+/// Rectangles reach at most so deep, m, into blocked cells beyond those that they are there to cover.
+const DEPTH: f64 = 0.5;
+
+/// Rectangles of blocked cells (they may overlap) that cover every blocked cell with a free one among its eight neighbors.
+/// Cells deeper inside bound nothing and may stay uncovered, so the boundary of the union is exactly the boundary between
+/// blocked and free cells.
+///
+/// Greedy: the first uncovered cell in reading order grows as far as all cells are blocked, sideways first or upwards
+/// first, whichever covers more; then what covers nothing new is cut off but for [`DEPTH`].
 pub fn blocked_rectangles(map: &OccupancyMap) -> Vec<CellRange> {
     let counts = BlockedCounts::new(map);
-    let mut covered = vec![false; map.columns * map.rows];
+    // Cells at the boundary that no rectangle covers yet.
+    let mut open: Vec<bool> = (0..map.columns * map.rows)
+        .map(|i| map.blocked[i] && has_free_neighbor(map, i % map.columns, i / map.columns))
+        .collect();
+    let depth = (DEPTH / map.resolution).ceil().min(REACH as f64) as usize;
     let mut rectangles = Vec::new();
-    for row in 0..map.rows {
-        for column in 0..map.columns {
-            if !covered[row * map.columns + column]
-                && map.is_blocked(column as i64, row as i64)
-                && has_free_neighbor(map, column, row)
-            {
-                let rectangle = counts.largest_around(column, row);
-                for r in rectangle.low.1..rectangle.high.1 {
-                    covered[r * map.columns + rectangle.low.0..r * map.columns + rectangle.high.0]
-                        .fill(true);
-                }
-                rectangles.push(rectangle);
+    for start in 0..open.len() {
+        if !open[start] {
+            continue;
+        }
+        let cell = (start % map.columns, start / map.columns);
+        let [sideways, upwards] = counts
+            .maximal_around(cell)
+            .map(|r| (r, open_cells(&open, map.columns, &r)));
+        let (whole, (_, needed)) = if upwards.1.0 > sideways.1.0 {
+            upwards
+        } else {
+            sideways
+        };
+        let rectangle = CellRange {
+            low: (
+                whole.low.0.max(needed.low.0.saturating_sub(depth)),
+                whole.low.1.max(needed.low.1.saturating_sub(depth)),
+            ),
+            high: (
+                whole.high.0.min(needed.high.0 + depth),
+                whole.high.1.min(needed.high.1 + depth),
+            ),
+        };
+        for row in rectangle.low.1..rectangle.high.1 {
+            open[row * map.columns + rectangle.low.0..row * map.columns + rectangle.high.0]
+                .fill(false);
+        }
+        rectangles.push(rectangle);
+    }
+    rectangles
+}
+
+/// How many open cells a rectangle has, and the rectangle around those.
+fn open_cells(open: &[bool], columns: usize, within: &CellRange) -> (usize, CellRange) {
+    let mut count = 0;
+    let mut around = CellRange {
+        low: within.high,
+        high: within.low,
+    };
+    for row in within.low.1..within.high.1 {
+        for column in within.low.0..within.high.0 {
+            if open[row * columns + column] {
+                count += 1;
+                around.low = (around.low.0.min(column), around.low.1.min(row));
+                around.high = (around.high.0.max(column + 1), around.high.1.max(row + 1));
             }
         }
     }
-    rectangles
+    (count, around)
 }
 
 /// Four rectangles that cover the outside of a map as far as anything can matter, corners as of [`CellRange::corners`].
@@ -105,38 +150,37 @@ impl BlockedCounts {
         blocked as usize == (high.0 - low.0) * (high.1 - low.1)
     }
 
-    /// The larger of the maximal rectangles that grow from a blocked cell sideways first and upwards first.
-    fn largest_around(&self, column: usize, row: usize) -> CellRange {
+    /// The rectangles that grow from a blocked cell sideways first and upwards first.
+    fn maximal_around(&self, (column, row): (usize, usize)) -> [CellRange; 2] {
         let cell = CellRange {
             low: (column, row),
             high: (column + 1, row + 1),
         };
-        let sideways = self.grown_vertically(self.grown_sideways(cell));
-        let upwards = self.grown_sideways(self.grown_vertically(cell));
-        let size = |r: &CellRange| (r.high.0 - r.low.0) * (r.high.1 - r.low.1);
-        if size(&upwards) > size(&sideways) {
-            upwards
-        } else {
-            sideways
-        }
+        [
+            self.grown_vertically(self.grown_sideways(cell)),
+            self.grown_sideways(self.grown_vertically(cell)),
+        ]
     }
 
     fn grown_sideways(&self, mut r: CellRange) -> CellRange {
-        while r.low.0 > 0 && self.is_full((r.low.0 - 1, r.low.1), (r.low.0, r.high.1)) {
+        let least = r.low.0.saturating_sub(REACH);
+        let most = (r.high.0 + REACH).min(self.columns);
+        while r.low.0 > least && self.is_full((r.low.0 - 1, r.low.1), (r.low.0, r.high.1)) {
             r.low.0 -= 1;
         }
-        while r.high.0 < self.columns && self.is_full((r.high.0, r.low.1), (r.high.0 + 1, r.high.1))
-        {
+        while r.high.0 < most && self.is_full((r.high.0, r.low.1), (r.high.0 + 1, r.high.1)) {
             r.high.0 += 1;
         }
         r
     }
 
     fn grown_vertically(&self, mut r: CellRange) -> CellRange {
-        while r.low.1 > 0 && self.is_full((r.low.0, r.low.1 - 1), (r.high.0, r.low.1)) {
+        let least = r.low.1.saturating_sub(REACH);
+        let most = (r.high.1 + REACH).min(self.rows);
+        while r.low.1 > least && self.is_full((r.low.0, r.low.1 - 1), (r.high.0, r.low.1)) {
             r.low.1 -= 1;
         }
-        while r.high.1 < self.rows && self.is_full((r.low.0, r.high.1), (r.high.0, r.high.1 + 1)) {
+        while r.high.1 < most && self.is_full((r.low.0, r.high.1), (r.high.0, r.high.1 + 1)) {
             r.high.1 += 1;
         }
         r

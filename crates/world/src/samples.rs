@@ -60,9 +60,9 @@ pub(crate) fn signed_distances(
             }
         })
         .collect();
-    for order in [true, false, true, false] {
+    for forward in [true, false] {
         for k in 0..columns * rows {
-            let i = if order { k } else { columns * rows - 1 - k };
+            let i = if forward { k } else { columns * rows - 1 - k };
             let mut best = samples[i];
             if best.piece == NONE {
                 continue;
@@ -90,6 +90,9 @@ struct Sample {
 impl Sample {
     fn try_pieces(&mut self, candidates: &[u32], pieces: &[Convex], p: Point) {
         for &piece in candidates {
+            if piece == self.piece {
+                continue;
+            }
             let distance = signed_distance(&pieces[piece as usize], p);
             if distance < self.distance {
                 *self = Self { distance, piece };

@@ -217,11 +217,11 @@ proptest! {
         for (i, a) in pieces.iter().enumerate() {
             for b in &pieces[..i] {
                 // A dense grid finds a shared point deeper than its spacing.
-                let shared = (0..40_000).map(|k| Point::new(-1.0 + 0.025 * f64::from(k % 200), -0.5 + 0.025 * f64::from(k / 200)))
+                let shared = (0..10_000).map(|k| Point::new(-1.0 + 0.05 * f64::from(k % 100), -0.5 + 0.05 * f64::from(k / 100)))
                     .map(|p| signed_distance(a, p).max(signed_distance(b, p)))
                     .fold(f64::INFINITY, f64::min);
                 if shared < -1e-9 { prop_assert!(overlap(a, b, 1e-9)); }
-                if shared > 0.025 { prop_assert!(!overlap(a, b, 1e-9)); }
+                if shared > 0.05 { prop_assert!(!overlap(a, b, 1e-9)); }
             }
         }
     }
