@@ -54,6 +54,7 @@ impl Bounds {
         let dy = (other.min.y - self.max.y)
             .max(self.min.y - other.max.y)
             .max(0.0);
-        dx.hypot(dy)
+        // Not hypot: this is the hot path of pruning, and lengths are far from overflow.
+        (dx * dx + dy * dy).sqrt()
     }
 }

@@ -20,6 +20,8 @@ pub(super) enum Verdict {
 const TOUCH: f64 = 1e-6;
 /// How many times the least distance between robot and object counts as close by.
 const CLOSE_BY: f64 = 4.0;
+/// Walls are looked for as chains of cells once the cells' diagonal is below this, m.
+const FINE: f64 = 0.2;
 /// d_max is at most this many times the separation at the start (claim `separation`).
 const MOST_LENGTH: f64 = 10.0;
 
@@ -56,7 +58,7 @@ pub(super) fn judge(
     let mut verdict = Verdict::Reachable;
     for (side, run) in runs(scene).into_iter().enumerate() {
         let mut sight = view.look(things, space, reached, side);
-        if sight == Sight::Possible && view.joined.is_none() {
+        if sight == Sight::Possible && view.joined.is_none() && space.size().norm() < FINE {
             view.joined = joined(things, space, center, reach);
             sight = view.look(things, space, reached, side);
         }

@@ -3,7 +3,7 @@ use pairtrawl_geometry::{Bounds, Point};
 use pairtrawl_model::Scene;
 
 /// The coarsest cells, m.
-const COARSEST: f64 = 0.1;
+const COARSEST: f64 = 0.4;
 /// Cells are not made finer than this, m ...
 const FINEST: f64 = 0.005;
 /// ... nor more than this many: what is still open then stays unproven.

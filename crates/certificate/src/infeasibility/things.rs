@@ -51,9 +51,13 @@ impl<'a> Things<'a> {
             .enumerate()
             .filter(|(i, _)| Some(*i) != skip)
         {
-            let distance = object.position.distance(p) - object.footprint_radius();
-            if distance < found.map_or(bound, |(d, _)| d) {
-                found = Some((distance, Thing::Object(i)));
+            let (d, rho) = (object.position - p, object.footprint_radius());
+            let best = found.map_or(bound, |(d, _)| d);
+            if d.x.abs().max(d.y.abs()) - rho < best {
+                let distance = d.norm() - rho;
+                if distance < best {
+                    found = Some((distance, Thing::Object(i)));
+                }
             }
         }
         found
