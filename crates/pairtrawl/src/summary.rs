@@ -1,23 +1,24 @@
 //! The finished summary of a plan: everything that reports show, computed once.
 
 mod claims;
+mod execution;
+mod frames;
 mod panels;
 mod rings;
 
 pub use claims::claim_summaries;
+pub use execution::summarize_execution;
 
 use pairtrawl_geometry::{Segment, SweptLine};
 use pairtrawl_model::{
-    Event, Frames, PairTrajectory, Plan, RehearsalRecord, Scene, SceneOutline, StageTime, Summary,
+    Event, PairTrajectory, Plan, RehearsalRecord, Scene, SceneOutline, StageTime, Summary,
 };
-
-/// More frames than this are thinned out for showing: a page must stay small, and motion between them is smooth.
-const MOST_FRAMES: usize = 1200;
 
 /// Computes the summary of a plan: curves over time, exact clearances, when each object is swept, path lengths.
 ///
 /// `stages` are the planner's times, empty when they were not measured; `rehearsal` is the record of this plan's
-/// rehearsal, when there was one. An execution is added by setting [`Summary::execution`].
+/// rehearsal, when there was one. An execution is added by
+/// setting [`Summary::execution`] to what [`summarize_execution`] returns.
 pub fn summarize(
     scene: &Scene,
     plan: &Plan,
@@ -70,7 +71,7 @@ pub fn summarize(
         solver: plan.solver.clone(),
         stages: stages.to_vec(),
         warnings,
-        frames: rehearsal.and_then(|r| frames(scene, r)),
+        frames: rehearsal.and_then(|r| frames::of(&r.frames, events(r), scene)),
         execution: None,
     }
 }
@@ -88,31 +89,13 @@ fn swept_at(trajectory: &PairTrajectory, point: pairtrawl_geometry::Point) -> Op
     })
 }
 
-/// A rehearsal in motion; `None` when it recorded no frame.
-fn frames(scene: &Scene, record: &RehearsalRecord) -> Option<Frames> {
-    let all = &record.frames;
-    let last = all.len().checked_sub(1)?;
-    let stride = all.len().div_ceil(MOST_FRAMES);
-    let shown = || (0..last).step_by(stride).chain([last]).map(|i| &all[i]);
-    Some(Frames {
-        times: shown().map(|f| f.time).collect(),
-        left: shown().map(|f| f.robots.left).collect(),
-        right: shown().map(|f| f.robots.right).collect(),
-        net: shown().map(|f| f.net.clone()).collect(),
-        objects: shown().map(|f| f.objects.clone()).collect(),
-        left_tension: shown().map(|f| f.tension[0]).collect(),
-        right_tension: shown().map(|f| f.tension[1]).collect(),
-        tension_limit: scene.physics.tension_limit,
-        events: record
-            .events
-            .iter()
-            .map(|e| Event {
-                time: e.time,
-                place: e.place,
-                text: e.kind.describe(),
-            })
-            .collect(),
-    })
+fn events(record: &RehearsalRecord) -> Vec<Event> {
+    let event = |e: &pairtrawl_model::RehearsalEvent| Event {
+        time: e.time,
+        place: e.place,
+        text: e.kind.describe(),
+    };
+    record.events.iter().map(event).collect()
 }
 
 #[cfg(test)]
@@ -290,7 +273,7 @@ mod tests {
         };
         let summary = summarize(&scene, &plan(&scene), &[], Some(&record));
         let frames = summary.frames.as_ref().unwrap();
-        assert!(frames.times.len() <= MOST_FRAMES + 1);
+        assert!(frames.times.len() <= super::frames::MOST + 1);
         assert_eq!(frames.times[0], 0.0);
         assert!(is_near(*frames.times.last().unwrap(), 49.99));
         assert!(frames.times.windows(2).all(|w| w[0] < w[1]));
