@@ -64,6 +64,14 @@ impl<'a> Subject<'a> {
                 return Err(Tightest::unusable(Some(i), reason));
             }
         }
+        let robot = &scene.robot;
+        if !(robot.radius.is_finite() && robot.radius > 0.0 && robot.hitch.is_finite()) {
+            let reason = format!(
+                "the robot's radius {} m must be positive and finite, its hitch {} m finite",
+                robot.radius, robot.hitch
+            );
+            return Err(Tightest::unusable(None, reason));
+        }
         Ok(Self {
             scene,
             net_length,

@@ -91,8 +91,9 @@ fn shape(p: Point, size: f64, kind: usize, random: &mut Random) -> Obstacle {
     let turn = random.within(0.0, 6.0);
     let star = |radii: &[f64]| {
         let n = radii.len() as f64;
-        let corner =
-            |(i, r): (usize, &f64)| p + Point::unit(turn + 6.283 * i as f64 / n) * (r * size);
+        let corner = |(i, r): (usize, &f64)| {
+            p + Point::unit(turn + std::f64::consts::TAU * i as f64 / n) * (r * size)
+        };
         radii.iter().enumerate().map(corner).collect::<Vec<Point>>()
     };
     match kind {

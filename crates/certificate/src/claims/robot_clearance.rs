@@ -9,9 +9,6 @@ pub(super) fn judge(subject: &Subject<'_>) -> Tightest {
         Err(reason) => return Tightest::unusable(None, reason.as_str()),
     };
     let radius = subject.scene.robot.radius;
-    if !radius.is_finite() {
-        return Tightest::unusable(None, format!("the robot radius {radius} m is not finite"));
-    }
     let mut tightest = Tightest::new();
     for (side, i, from, to) in subject.robot_steps() {
         let path = Hull::of(&[from.position(), to.position()]);
