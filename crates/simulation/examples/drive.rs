@@ -9,7 +9,7 @@ use pairtrawl_model::{
     Area, Footprint, NetSpec, Object, Obstacle, PairPose, PairTrajectory, PhysicsParameters,
     PlannerParameters, RehearsalRecord, Robot, Scene,
 };
-use pairtrawl_simulation::{Options, rehearse};
+use pairtrawl_simulation::{Options, export, rehearse};
 use serde_json::{Value, json};
 use std::error::Error;
 use std::time::Instant;
@@ -34,6 +34,17 @@ fn main() -> Result<(), Box<dyn Error>> {
     options.settle_time = given("settle_time", options.settle_time);
     options.frame_interval = given("frame_interval", options.frame_interval);
     options.iterations = given("iterations", options.iterations as f64) as usize;
+    match input["export"].as_str() {
+        Some("mjcf") => {
+            println!("{}", export::mjcf(&scene, net_length, &trajectory)?);
+            return Ok(());
+        }
+        Some("sdf") => {
+            println!("{}", export::sdf(&scene, net_length, &trajectory)?);
+            return Ok(());
+        }
+        _ => {}
+    }
     let started = Instant::now();
     let record = rehearse(&scene, net_length, &trajectory, &options)?;
     let seconds = started.elapsed().as_secs_f64();

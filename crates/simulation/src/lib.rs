@@ -10,6 +10,7 @@
 mod contacts;
 mod engine;
 mod error;
+pub mod export;
 mod ground_friction;
 mod net;
 mod net_start;

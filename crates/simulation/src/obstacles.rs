@@ -1,6 +1,6 @@
 //! Fixed obstacles: boxes, discs, polygons in convex pieces, and the blocked cells of a map merged into rectangles.
 
-use crate::engine::vector;
+use crate::engine::{point, vector};
 use crate::{SimulationError, tag};
 use pairtrawl_geometry::Point;
 use pairtrawl_model::{Obstacle, OccupancyMap, Scene};
@@ -13,35 +13,53 @@ const SKIN: i64 = 2;
 /// Width of the walls around a map, m.
 const WALL: f64 = 1.0;
 
-/// Inserts every obstacle of the scene.
-pub(crate) fn insert(world: &mut PhysicsWorld, scene: &Scene) -> Result<(), SimulationError> {
-    let friction = scene.physics.contact_friction;
-    let mut add = |collider: ColliderBuilder, index: Option<usize>| {
-        world
-            .colliders
-            .insert(collider.friction(friction).user_data(tag::obstacle(index)));
-    };
+/// A fixed convex shape.
+#[derive(Clone, Debug, PartialEq)]
+pub(crate) enum FixedShape {
+    Box {
+        center: Point,
+        half: Point,
+        turn: f64,
+    },
+    Disc {
+        center: Point,
+        radius: f64,
+    },
+    /// Vertices counter-clockwise.
+    Convex(Vec<Point>),
+}
+
+/// Every obstacle of the scene in convex shapes, each with its index in the scene (`None`: the map's).
+pub(crate) fn shapes(scene: &Scene) -> Result<Vec<(Option<usize>, FixedShape)>, SimulationError> {
+    let mut shapes = Vec::new();
     for (index, obstacle) in scene.obstacles.iter().enumerate() {
-        let broken = || SimulationError::Polygon { index };
         match obstacle {
             Obstacle::Box { min, max } => {
                 let half = (*max - *min) * 0.5;
-                let collider = ColliderBuilder::cuboid(half.x, half.y)
-                    .translation(vector(min.lerp(*max, 0.5)));
-                add(collider, Some(index));
+                shapes.push((
+                    Some(index),
+                    FixedShape::Box {
+                        center: min.lerp(*max, 0.5),
+                        half,
+                        turn: 0.0,
+                    },
+                ));
             }
             Obstacle::Circle { center, radius } => {
-                add(
-                    ColliderBuilder::ball(*radius).translation(vector(*center)),
+                shapes.push((
                     Some(index),
-                );
+                    FixedShape::Disc {
+                        center: *center,
+                        radius: *radius,
+                    },
+                ));
             }
             Obstacle::Polygon(vertices) => {
-                for piece in convex_pieces(vertices).ok_or_else(broken)? {
-                    add(
-                        ColliderBuilder::convex_polyline(piece).ok_or_else(broken)?,
+                for piece in convex_pieces(vertices).ok_or(SimulationError::Polygon { index })? {
+                    shapes.push((
                         Some(index),
-                    );
+                        FixedShape::Convex(piece.into_iter().map(point).collect()),
+                    ));
                 }
             }
         }
@@ -50,11 +68,42 @@ pub(crate) fn insert(world: &mut PhysicsWorld, scene: &Scene) -> Result<(), Simu
         for rectangle in map_rectangles(map) {
             let half = rectangle.size() * (0.5 * map.resolution);
             let center = map.from_cells(rectangle.min.lerp(rectangle.max, 0.5));
-            let collider = ColliderBuilder::cuboid(half.x, half.y)
-                .translation(vector(center))
-                .rotation(map.origin.heading);
-            add(collider, None);
+            shapes.push((
+                None,
+                FixedShape::Box {
+                    center,
+                    half,
+                    turn: map.origin.heading,
+                },
+            ));
         }
+    }
+    Ok(shapes)
+}
+
+/// Inserts every obstacle of the scene.
+pub(crate) fn insert(world: &mut PhysicsWorld, scene: &Scene) -> Result<(), SimulationError> {
+    for (index, shape) in shapes(scene)? {
+        let collider = match shape {
+            FixedShape::Box { center, half, turn } => ColliderBuilder::cuboid(half.x, half.y)
+                .translation(vector(center))
+                .rotation(turn),
+            FixedShape::Disc { center, radius } => {
+                ColliderBuilder::ball(radius).translation(vector(center))
+            }
+            FixedShape::Convex(vertices) => {
+                let broken = SimulationError::Polygon {
+                    index: index.unwrap_or_default(),
+                };
+                ColliderBuilder::convex_polyline(vertices.into_iter().map(vector).collect())
+                    .ok_or(broken)?
+            }
+        };
+        world.colliders.insert(
+            collider
+                .friction(scene.physics.contact_friction)
+                .user_data(tag::obstacle(index)),
+        );
     }
     Ok(())
 }

@@ -1,0 +1,70 @@
+"""The runs on which both engines are compared, each as the JSON that `examples/drive.rs` of crates/simulation reads."""
+
+import json
+import math
+import tomllib
+from pathlib import Path
+
+STEP_TIME = 0.25
+
+
+def pair(half_gap, steps, turn, speed=0.2):
+    """Both robots abreast of a midpoint that moves with a heading rate `turn(t)` (rad/s)."""
+    x, y, heading = 0.0, 0.0, math.pi / 2
+    left, right = [], []
+    for i in range(steps + 1):
+        side = (math.sin(heading), -math.cos(heading))
+        left.append([x - half_gap * side[0], y - half_gap * side[1], heading])
+        right.append([x + half_gap * side[0], y + half_gap * side[1], heading])
+        rate = turn(i * STEP_TIME)
+        middle = heading + 0.5 * rate * STEP_TIME
+        x += speed * STEP_TIME * math.cos(middle)
+        y += speed * STEP_TIME * math.sin(middle)
+        heading += rate * STEP_TIME
+    return left, right
+
+
+def drive(name, half_gap, steps, turn, places, net_length):
+    """A run along `turn` through cubes at `places`: (step of the path, offset to its right in m, mass in kg)."""
+    left, right = pair(half_gap, steps, turn)
+    objects = []
+    for step, offset, mass in places:
+        (x0, y0, _), (x1, y1, _) = left[step], right[step]
+        part = 0.5 + 0.5 * offset / half_gap
+        objects.append({"position": [x0 + part * (x1 - x0), y0 + part * (y1 - y0)], "size": [0.05, 0.05], "mass": mass})
+    return {
+        "name": name, "scene": {"obstacles": [], "objects": objects}, "net_length": net_length,
+        "left": left, "right": right, "step_time": STEP_TIME,
+    }
+
+
+def from_plan(name, scene_file, plan_file):
+    """A scene file and a plan file as a run."""
+    with open(scene_file, "rb") as file:
+        scene = tomllib.load(file)
+    plan = json.loads(Path(plan_file).read_text())
+    kept = {key: scene[key] for key in ("obstacles", "objects", "physics", "net") if key in scene}
+    return {
+        "name": name, "scene": kept, "net_length": plan["net_length"],
+        "left": plan["left"], "right": plan["right"], "step_time": plan["step_time"],
+    }
+
+
+def built_in():
+    """Straight, turn, clutter and two whole runs.
+
+    Cubes stand beside each other's tracks: where one pushes a file of others straight ahead, the file buckles to a side that
+    depends on the last digit, in every engine, and nothing can be compared afterwards.
+    """
+    file = [(8 + 4 * i, (0.09, -0.06, 0.02, -0.1, 0.06, 0.11, -0.02, -0.08)[i], 0.025) for i in range(8)]
+    bend = [(10 + 5 * i, (0.08, -0.05, 0.1, 0.0, -0.09)[i], 0.025) for i in range(5)]
+    clutter = [(10 + 2 * (i // 5), 0.06 * (i % 5) - 0.12 + 0.004 * i, 0.025) for i in range(20)]
+    snake = [(10 + 10 * i, (0.08, -0.06, 0.1, -0.1, 0.02, 0.09, -0.08, 0.05)[i], 0.015 + 0.005 * i) for i in range(8)]
+    arc = [(10 + 7 * i, (0.07, -0.07, 0.1, -0.1, 0.0)[i % 5], 0.025) for i in range(10)]
+    return [
+        drive("straight", 0.3, 48, lambda t: 0.0, file, 1.5),
+        drive("turn", 0.35, 48, lambda t: -0.12, bend, 1.6),
+        drive("clutter", 0.35, 40, lambda t: 0.05 * math.sin(t), clutter, 2.0),
+        drive("whole run, snake", 0.3, 100, lambda t: 0.15 * math.sin(0.4 * t), snake, 1.4),
+        drive("whole run, half circle", 0.32, 96, lambda t: -0.2 / 1.5, arc, 1.8),
+    ]

@@ -1,0 +1,34 @@
+use crate::obstacles::{self, FixedShape};
+use crate::{Options, Parameters, Simulation, SimulationError};
+use pairtrawl_geometry::Pose;
+use pairtrawl_model::{PairTrajectory, Scene};
+
+/// How everything stands at the start.
+pub(super) struct Layout {
+    pub(super) parameters: Parameters,
+    pub(super) robots: [Pose; 2],
+    /// Centers and turns of the links, from the left.
+    pub(super) links: Vec<Pose>,
+    pub(super) obstacles: Vec<FixedShape>,
+}
+
+impl Layout {
+    pub(super) fn new(
+        scene: &Scene,
+        net_length: f64,
+        trajectory: &PairTrajectory,
+    ) -> Result<Self, SimulationError> {
+        crate::PlanFollower::new(trajectory)?;
+        let start = trajectory.pair(0);
+        let simulation = Simulation::starting_at(scene, net_length, start, &Options::default())?;
+        Ok(Self {
+            parameters: simulation.parameters().clone(),
+            robots: [start.left, start.right],
+            links: simulation.links(),
+            obstacles: obstacles::shapes(scene)?
+                .into_iter()
+                .map(|(_, shape)| shape)
+                .collect(),
+        })
+    }
+}
