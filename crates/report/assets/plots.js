@@ -61,6 +61,10 @@
     }
   };
 
+  // Several curves that are neither robot's nor the net's are told apart by a class of their own each.
+  const classOf = (panel, line) =>
+    line.role === "other" ? `other other${panel.lines.filter((l) => l.role === "other").indexOf(line) % 4}` : line.role;
+
   const build = (panel) => {
     const figure = document.createElement("figure");
     figure.className = "card plot";
@@ -70,7 +74,7 @@
     caption.appendChild(title);
     const readouts = panel.lines.map((line) => {
       const entry = document.createElement("span");
-      entry.className = `entry ${line.role}`;
+      entry.className = `entry ${classOf(panel, line)}`;
       const key = document.createElement("i");
       const name = document.createElement("span");
       name.textContent = line.label;
@@ -153,9 +157,9 @@
       const words = `${label.label} ${Number(label.value.toPrecision(3))}`.replace("-", "\u2212");
       svgText(words, { x: right + 8, y: label.y + 4, class: "tick" }, svg);
     }
-    for (const line of panel.lines) svgElement("path", { class: `curve ${line.role}`, d: pathOf(panel, line, px, py) }, svg);
+    for (const line of panel.lines) svgElement("path", { class: `curve ${classOf(panel, line)}`, d: pathOf(panel, line, px, py) }, svg);
     plot.cursor = svgElement("path", { class: "cursor" }, svg);
-    plot.dots = panel.lines.map((line) => svgElement("circle", { class: `dot ${line.role}`, r: 3.5 }, svg));
+    plot.dots = panel.lines.map((line) => svgElement("circle", { class: `dot ${classOf(panel, line)}`, r: 3.5 }, svg));
   };
 
   let now = 0;
