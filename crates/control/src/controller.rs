@@ -41,7 +41,7 @@ impl<T: Real> ControllerParameters<T> {
             tracking: TrackingGains::default(),
             law,
             limits: Limits::default(),
-            pose_gain: T::of(0.2),
+            pose_gain: T::of(0.05),
         }
     }
 }

@@ -18,16 +18,22 @@ pub struct IntegralGains<T> {
 }
 
 impl<T: Real> Default for IntegralGains<T> {
+    /// For the TurtleBot3 Waffle Pi: 1.43 kg and, by its model file, 0.0146 kg m^2.
     fn default() -> Self {
-        Self {
-            velocity: [T::of(11.4), T::of(0.15)],
-            integral: [T::of(23.0), T::of(0.30)],
-            bound: [T::of(12.0), T::of(2.5)],
-        }
+        Self::for_inertia([T::of(1.43), T::of(0.0146)])
     }
 }
 
 impl<T: Real> IntegralGains<T> {
+    /// Default gains for a robot of about this mass and inertia (kg, kg m^2): those of the adaptive law's feedback and bias.
+    pub fn for_inertia([m, j]: [T; 2]) -> Self {
+        Self {
+            velocity: [m * T::of(8.0), j * T::of(8.0)],
+            integral: [m * T::of(16.0), j * T::of(40.0)],
+            bound: [T::of(12.0), T::of(2.5)],
+        }
+    }
+
     /// Checks that gains are finite and not below zero and bounds above it.
     ///
     /// # Errors

@@ -58,24 +58,33 @@ pub struct MracGains<T> {
 }
 
 impl<T: Real> Default for MracGains<T> {
+    /// For the TurtleBot3 Waffle Pi: 1.43 kg and, by its model file, 0.0146 kg m^2.
     fn default() -> Self {
+        Self::for_inertia([T::of(1.43), T::of(0.0146)])
+    }
+}
+
+impl<T: Real> MracGains<T> {
+    /// Default gains for a robot of about this mass and inertia (kg, kg m^2): velocity loops of 8 1/s, which bear
+    /// 60 ms of delay in the loop on half the mass and half the inertia.
+    pub fn for_inertia(split_inertia: [T; 2]) -> Self {
+        let [m, j] = split_inertia;
+        let feedback = [m * T::of(8.0), j * T::of(8.0)];
         Self {
-            split_inertia: [T::of(1.43), T::of(0.0146)],
-            feedback: [T::of(11.4), T::of(0.15)],
-            lyapunov: [T::of(22.8), T::of(0.30)],
-            state_rate: [T::of(10.0), T::of(0.1)],
-            input_rate: [T::of(0.2), T::of(0.5)],
-            bias_rate: [T::of(23.0), T::of(0.30)],
+            split_inertia,
+            feedback,
+            lyapunov: feedback.map(|k| k + k),
+            state_rate: [m * T::of(5.0), j * T::of(5.0)],
+            input_rate: [T::of(0.2), T::of(0.1)],
+            bias_rate: [m * T::of(16.0), j * T::of(30.0)],
             leakage: [T::of(0.1), T::of(0.1), T::of(0.01)],
-            state_bound: [T::of(10.0), T::of(0.15)],
+            state_bound: feedback,
             input_bound: [T::of(0.8), T::of(0.8)],
             bias_bound: [T::of(12.0), T::of(2.5)],
             split: InertiaSplit::Reference,
         }
     }
-}
 
-impl<T: Real> MracGains<T> {
     /// Checks that gains are finite and in range.
     ///
     /// # Errors

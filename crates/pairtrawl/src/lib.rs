@@ -57,11 +57,13 @@
 mod attempt;
 mod check;
 mod error;
+pub mod execute;
 pub mod files;
 mod length;
 mod observer;
 mod options;
 mod plan;
+pub mod reference;
 mod rehearse;
 mod run;
 mod summary;

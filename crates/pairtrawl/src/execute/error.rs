@@ -1,0 +1,28 @@
+use crate::reference::ReferenceError;
+use pairtrawl_control::ParameterError;
+use pairtrawl_simulation::SimulationError;
+use thiserror::Error;
+
+/// Why a plan cannot be executed. A drive that goes wrong is a result, not an error.
+#[derive(Clone, Debug, PartialEq, Error)]
+pub enum ExecutionError {
+    /// The plan cannot become a reference.
+    #[error(transparent)]
+    Reference(#[from] ReferenceError),
+    /// A controller cannot be built.
+    #[error(transparent)]
+    Controller(#[from] ParameterError),
+    /// The world cannot be simulated.
+    #[error(transparent)]
+    Simulation(#[from] SimulationError),
+    /// An option is out of its range.
+    #[error("execution option {name} is {value}, but it must be {bound}: choose another value")]
+    Option {
+        /// Its name.
+        name: &'static str,
+        /// Its value.
+        value: f64,
+        /// What is allowed.
+        bound: &'static str,
+    },
+}

@@ -1,0 +1,233 @@
+//! Many runs on reduced plants with everything unknown drawn at random: which law keeps the pair on its path?
+
+use super::observer::ExecutionObserver;
+use super::options::controller_parameters;
+use super::plant::{Drag, PlantParameters};
+use super::reduced_run::{ReducedOutcome, ReducedRun};
+use super::sensing::{Normal, Sensing};
+use super::statistics::{mixed_seed, quantile};
+use super::{ExecutionError, NominalInertia};
+use crate::reference::{Reference, ReferenceLimits};
+use pairtrawl_control::SupervisorLimits;
+use pairtrawl_model::{ControllerKind, PairTrajectory, Scene};
+use rayon::prelude::*;
+
+/// What is drawn, each evenly between two bounds.
+#[derive(Clone, Debug, PartialEq)]
+pub struct MonteCarloOptions {
+    /// Runs for each law; all laws see the same runs.
+    pub runs: usize,
+    /// Seed of everything drawn.
+    pub seed: u64,
+    /// Robot mass over the nominal one.
+    pub mass_factor: [f64; 2],
+    /// Robot inertia over that of its model file.
+    pub inertia_factor: [f64; 2],
+    /// Drag at the end of the run, N; it grows in eight steps and turns by up to 60 degrees.
+    pub drag: [f64; 2],
+    /// Standard deviation of positions, m.
+    pub position_noise: f64,
+    /// Standard deviation of headings, rad.
+    pub heading_noise: f64,
+    /// Delay, s.
+    pub delay: [f64; 2],
+    /// True: the delay concerns measured velocities (or, which is the same to the loop, torques) as well as poses.
+    pub delayed_velocity: bool,
+    /// A run succeeds when neither robot is ever farther than this from its reference after the first second, m.
+    pub tolerance: f64,
+    /// J of the controllers' model.
+    pub nominal_inertia: NominalInertia,
+    /// The laws.
+    pub controllers: Vec<ControllerKind>,
+}
+
+impl Default for MonteCarloOptions {
+    fn default() -> Self {
+        Self {
+            runs: 1000,
+            seed: 1,
+            mass_factor: [0.5, 3.0],
+            inertia_factor: [0.5, 1.5],
+            drag: [0.0, 4.0],
+            position_noise: 0.01,
+            heading_noise: 1f64.to_radians(),
+            delay: [0.0, 0.06],
+            delayed_velocity: false,
+            tolerance: 0.10,
+            nominal_inertia: NominalInertia::default(),
+            controllers: ControllerKind::ALL.to_vec(),
+        }
+    }
+}
+
+/// What one law did.
+#[derive(Clone, Debug, PartialEq)]
+pub struct MonteCarloRow {
+    /// The law.
+    pub controller: ControllerKind,
+    /// Runs that were finished.
+    pub runs: usize,
+    /// Of these, how many stayed within the tolerance and reached the end.
+    pub successes: usize,
+    /// Of these, how many the supervisor stopped.
+    pub stopped: usize,
+    /// 50, 90 and 99 % quantiles of a run's root mean square error, m, after the first second and until the end or the stop.
+    pub rms: [f64; 3],
+    /// The same of a run's greatest error, m.
+    pub max: [f64; 3],
+    /// Greatest torque of a wheel in any run, N m.
+    pub max_torque: f64,
+}
+
+/// The table.
+#[derive(Clone, Debug, PartialEq)]
+pub struct MonteCarlo {
+    /// One row for each law.
+    pub rows: Vec<MonteCarloRow>,
+    /// True when it was stopped before all runs were finished.
+    pub interrupted: bool,
+}
+
+/// Runs the table. The observer's index counts runs over all laws.
+///
+/// # Errors
+/// When the trajectory or an option cannot be used.
+pub fn monte_carlo(
+    scene: &Scene,
+    trajectory: &PairTrajectory,
+    options: &MonteCarloOptions,
+    observer: &dyn ExecutionObserver,
+) -> Result<MonteCarlo, ExecutionError> {
+    let reference = Reference::new(&scene.robot, trajectory, &ReferenceLimits::default())?;
+    let mut rows = Vec::new();
+    let mut interrupted = false;
+    for (row, &controller) in options.controllers.iter().enumerate() {
+        let outcomes = (0..options.runs)
+            .into_par_iter()
+            .map(|run| {
+                if observer.interrupted() {
+                    return Ok(None);
+                }
+                let outcome =
+                    one_run(scene, &reference, options, controller, run as u64, observer)?;
+                observer.finished(row * options.runs + run);
+                Ok(outcome)
+            })
+            .collect::<Result<Vec<_>, ExecutionError>>()?;
+        let finished: Vec<ReducedOutcome> = outcomes.into_iter().flatten().collect();
+        interrupted |= finished.len() < options.runs;
+        rows.push(summarize(controller, &finished, options.tolerance));
+    }
+    Ok(MonteCarlo { rows, interrupted })
+}
+
+fn one_run(
+    scene: &Scene,
+    reference: &Reference,
+    options: &MonteCarloOptions,
+    kind: ControllerKind,
+    run: u64,
+    observer: &dyn ExecutionObserver,
+) -> Result<Option<ReducedOutcome>, ExecutionError> {
+    // Drawn from the run's own seed, so that every law meets the same conditions.
+    let seed = mixed_seed(options.seed, run);
+    let mut draw = Normal::new(seed);
+    let mut plants = || {
+        let mass = draw.between(options.mass_factor);
+        PlantParameters::new(
+            &scene.robot,
+            &scene.physics,
+            mass,
+            draw.between(options.inertia_factor),
+        )
+    };
+    let plants = [plants(), plants()];
+    let delay = draw.between(options.delay);
+    let sensing = Sensing {
+        position_noise: options.position_noise,
+        heading_noise: options.heading_noise,
+        pose_delay: delay,
+        velocity_delay: if options.delayed_velocity {
+            delay
+        } else {
+            Sensing::default().velocity_delay
+        },
+        ..Sensing::default()
+    };
+    let drags = [(); 2].map(|()| GrowingDrag::draw(&mut draw, options.drag, reference.duration()));
+    let run = ReducedRun {
+        reference,
+        controller: controller_parameters(scene, kind, options.nominal_inertia),
+        supervisor: SupervisorLimits::default(),
+        sensing: [sensing; 2],
+        plants,
+        drag: &|time| drags.each_ref().map(|d| d.at(time)),
+        seeds: [mixed_seed(seed, 1), mixed_seed(seed, 2)],
+    };
+    Ok(run.drive(observer)?)
+}
+
+/// A drag that grows in eight even steps and whose direction swings.
+#[derive(Clone, Copy, Debug)]
+pub struct GrowingDrag {
+    /// In the end, N.
+    pub force: f64,
+    /// Duration of the run, s.
+    pub duration: f64,
+    /// Amplitude of the direction, rad.
+    pub swing: f64,
+    /// Period of the direction, s.
+    pub period: f64,
+    /// Phase of the direction, rad.
+    pub phase: f64,
+}
+
+/// Steps of a growing drag.
+const DRAG_STEPS: f64 = 8.0;
+
+impl GrowingDrag {
+    fn draw(draw: &mut Normal, force: [f64; 2], duration: f64) -> Self {
+        Self {
+            force: draw.between(force),
+            duration,
+            swing: draw.between([0.0, std::f64::consts::FRAC_PI_3]),
+            period: draw.between([5.0, 20.0]),
+            phase: draw.between([0.0, std::f64::consts::TAU]),
+        }
+    }
+
+    /// The drag at a time, s.
+    pub fn at(&self, time: f64) -> Drag {
+        let step = (time / self.duration * DRAG_STEPS)
+            .ceil()
+            .clamp(0.0, DRAG_STEPS);
+        let angle = std::f64::consts::TAU * time / self.period + self.phase;
+        Drag {
+            force: self.force * step / DRAG_STEPS,
+            direction: self.swing * libm::sin(angle),
+        }
+    }
+}
+
+fn summarize(
+    controller: ControllerKind,
+    outcomes: &[ReducedOutcome],
+    tolerance: f64,
+) -> MonteCarloRow {
+    let quantiles = |value: &dyn Fn(&ReducedOutcome) -> f64| {
+        let mut values: Vec<f64> = outcomes.iter().map(value).collect();
+        [0.5, 0.9, 0.99].map(|q| quantile(&mut values, q))
+    };
+    MonteCarloRow {
+        controller,
+        runs: outcomes.len(),
+        successes: outcomes
+            .iter()
+            .filter(|o| o.stopped.is_none() && o.worst() <= tolerance)
+            .count(),
+        stopped: outcomes.iter().filter(|o| o.stopped.is_some()).count(),
+        rms: quantiles(&ReducedOutcome::rms),
+        max: quantiles(&ReducedOutcome::worst),
+        max_torque: outcomes.iter().map(|o| o.max_torque).fold(0.0, f64::max),
+    }
+}

@@ -1,0 +1,131 @@
+//! A pair of reduced plants along a reference, under a drag that is given over time.
+
+use super::control_loop::PairLoop;
+use super::observer::ExecutionObserver;
+use super::plant::{Drag, PlantParameters, ReducedPlant};
+use super::sensing::{Sensing, TORQUE_PERIOD, TRACKER_TICKS};
+use super::statistics::ErrorCollector;
+use crate::reference::Reference;
+use pairtrawl_control::{
+    AdaptedParameters, ControllerParameters, PairStopCause, ParameterError, SupervisorLimits,
+};
+use pairtrawl_model::TrackingStatistics;
+
+/// Everything about one reduced run. Arrays over robots are (left, right).
+pub struct ReducedRun<'a> {
+    /// Where the robots should be.
+    pub reference: &'a Reference,
+    /// Their controllers.
+    pub controller: ControllerParameters<f64>,
+    /// When the pair stops.
+    pub supervisor: SupervisorLimits<f64>,
+    /// Their sensors.
+    pub sensing: [Sensing; 2],
+    /// The robots.
+    pub plants: [PlantParameters; 2],
+    /// The drag on each robot over time (s).
+    pub drag: &'a (dyn Fn(f64) -> [Drag; 2] + Sync),
+    /// Seeds of the sensors.
+    pub seeds: [u64; 2],
+}
+
+/// What came of a reduced run.
+#[derive(Clone, Debug, PartialEq)]
+pub struct ReducedOutcome {
+    /// Position error of each robot.
+    pub tracking: [TrackingStatistics; 2],
+    /// Why and when (s) the pair was stopped before its end.
+    pub stopped: Option<(PairStopCause, f64)>,
+    /// Greatest torque of a wheel, N m.
+    pub max_torque: f64,
+    /// Greatest magnitude of each adapted parameter seen, over both robots: Delta_X, Delta_m, Delta_b.
+    pub greatest: AdaptedParameters<f64>,
+}
+
+impl ReducedOutcome {
+    /// Greatest position error of either robot after the first second, m.
+    pub fn worst(&self) -> f64 {
+        self.tracking[0]
+            .settled_max
+            .max(self.tracking[1].settled_max)
+    }
+
+    /// Root mean square error of both robots after the first second, m.
+    pub fn rms(&self) -> f64 {
+        let [a, b] = self.tracking.map(|t| t.settled_rms.powi(2));
+        (0.5 * (a + b)).sqrt()
+    }
+}
+
+impl ReducedRun<'_> {
+    /// Drives to the end of the reference and half a second beyond, or until the pair is stopped.
+    /// `Ok(None)`: the observer interrupted it.
+    ///
+    /// # Errors
+    /// When a parameter is out of range.
+    pub fn drive(
+        &self,
+        observer: &dyn ExecutionObserver,
+    ) -> Result<Option<ReducedOutcome>, ParameterError> {
+        let mut control = PairLoop::new(
+            self.reference,
+            &self.controller,
+            self.supervisor,
+            self.sensing,
+            self.seeds,
+        )?;
+        let start = self.reference.at(0.0);
+        let mut robots = [
+            ReducedPlant::new(self.plants[0], start.left.pose),
+            ReducedPlant::new(self.plants[1], start.right.pose),
+        ];
+        let mut errors = [ErrorCollector::default(); 2];
+        let mut outcome = ReducedOutcome {
+            tracking: Default::default(),
+            stopped: None,
+            max_torque: 0.0,
+            greatest: AdaptedParameters::default(),
+        };
+        let ticks = ((self.reference.duration() + 0.5) / TORQUE_PERIOD).ceil() as u64;
+        for tick in 0..ticks {
+            let torques = control.tick(robots.each_ref().map(ReducedPlant::truth));
+            let drag = (self.drag)(control.time());
+            for side in 0..2 {
+                robots[side].step(torques[side], drag[side], TORQUE_PERIOD);
+                let peak = torques[side].right.abs().max(torques[side].left.abs());
+                outcome.max_torque = outcome.max_torque.max(peak);
+            }
+            if !tick.is_multiple_of(TRACKER_TICKS) {
+                continue;
+            }
+            let time = control.time();
+            let target = self.reference.at(time);
+            for (side, target) in [target.left, target.right].into_iter().enumerate() {
+                let pose = robots[side].truth().pose;
+                errors[side].take(time, (pose.x - target.pose.x).hypot(pose.y - target.pose.y));
+            }
+            for adapted in control.adapted() {
+                keep_greatest(&mut outcome.greatest, &adapted);
+            }
+            if let Some(cause) = control.stopped() {
+                outcome.stopped = Some((cause, time));
+                break;
+            }
+            if tick.is_multiple_of(500) && observer.interrupted() {
+                return Ok(None);
+            }
+        }
+        outcome.tracking = errors.map(|e| e.statistics());
+        Ok(Some(outcome))
+    }
+}
+
+fn keep_greatest(greatest: &mut AdaptedParameters<f64>, adapted: &AdaptedParameters<f64>) {
+    for i in 0..2 {
+        greatest.bias[i] = greatest.bias[i].max(adapted.bias[i].abs());
+        for j in 0..2 {
+            greatest.state[i][j] = greatest.state[i][j].max(adapted.state[i][j].abs());
+            greatest.input[i][j] = greatest.input[i][j].max(adapted.input[i][j].abs());
+        }
+    }
+}
