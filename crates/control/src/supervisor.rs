@@ -59,7 +59,12 @@ pub enum PairState {
     #[default]
     Running,
     /// Both stop; latched.
-    Stopped(PairStopCause),
+    Stopped {
+        /// Why.
+        cause: PairStopCause,
+        /// True when it was the left robot's report.
+        left: bool,
+    },
 }
 
 /// Decides for both robots.
@@ -91,10 +96,12 @@ impl<T: Real> PairSupervisor<T> {
 
     /// Takes both robots' reports. Once stopped it stays so until re-armed, whatever the reports say.
     pub fn update(&mut self, left: &RobotReport<T>, right: &RobotReport<T>) -> PairState {
-        if self.state == PairState::Running
-            && let Some(cause) = self.objection(left).or_else(|| self.objection(right))
-        {
-            self.state = PairState::Stopped(cause);
+        if self.state == PairState::Running {
+            if let Some(cause) = self.objection(left) {
+                self.state = PairState::Stopped { cause, left: true };
+            } else if let Some(cause) = self.objection(right) {
+                self.state = PairState::Stopped { cause, left: false };
+            }
         }
         self.state
     }

@@ -53,8 +53,12 @@ fn each_cause_stops_the_pair_from_either_side() {
             let mut s = PairSupervisor::new(SupervisorLimits::default()).unwrap();
             assert_eq!(s.update(&FINE, &FINE), PairState::Running);
             let (a, b) = if left { (bad, FINE) } else { (FINE, bad) };
-            assert_eq!(s.update(&a, &b), PairState::Stopped(cause));
-            assert_eq!(s.update(&FINE, &FINE), PairState::Stopped(cause), "latched");
+            assert_eq!(s.update(&a, &b), PairState::Stopped { cause, left });
+            assert_eq!(
+                s.update(&FINE, &FINE),
+                PairState::Stopped { cause, left },
+                "latched"
+            );
             s.rearm();
             assert_eq!(s.update(&FINE, &FINE), PairState::Running);
         }

@@ -1,5 +1,6 @@
 //! Executing a plan: controllers drive both robots in the simulated world, several trials in parallel.
 
+mod collector;
 mod control_loop;
 mod error;
 mod monte_carlo;
@@ -9,6 +10,8 @@ mod plant;
 mod reduced_run;
 mod sensing;
 mod statistics;
+mod summary;
+mod trial;
 
 pub use control_loop::{PairLoop, Truth};
 pub use error::ExecutionError;
@@ -19,3 +22,84 @@ pub use plant::{Drag, PlantParameters, ReducedPlant};
 pub use reduced_run::{ReducedOutcome, ReducedRun};
 pub use sensing::{Normal, Sensing, Sensors, TORQUE_PERIOD, TRACKER_TICKS};
 pub use statistics::{mixed_seed, quantile};
+pub use summary::summarize_execution;
+
+use crate::reference::{Reference, ReferenceLimits};
+use pairtrawl_model::{Execution, PairTrajectory, Plan, Scene, Trial};
+use rayon::prelude::*;
+use trial::Course;
+
+/// Drives a plan in full physics, several trials in parallel on the current thread pool.
+///
+/// A drive that goes wrong is a result. When the observer interrupts, trials that are finished are kept and
+/// `Execution::interrupted` is set. Results depend on the seed, not on the number of threads, but for `Trial::seconds`.
+///
+/// # Errors
+/// When scene, plan or options cannot be used.
+pub fn execute(
+    scene: &Scene,
+    plan: &Plan,
+    options: &ExecutionOptions,
+    observer: &dyn ExecutionObserver,
+) -> Result<Execution, ExecutionError> {
+    execute_trajectory(scene, plan.net_length, &plan.trajectory, options, observer)
+}
+
+/// As [`execute`], for a net length (m) and a trajectory from anywhere.
+///
+/// # Errors
+/// When scene, trajectory or options cannot be used.
+pub fn execute_trajectory(
+    scene: &Scene,
+    net_length: f64,
+    trajectory: &PairTrajectory,
+    options: &ExecutionOptions,
+    observer: &dyn ExecutionObserver,
+) -> Result<Execution, ExecutionError> {
+    options.validate()?;
+    let reference = Reference::new(&scene.robot, trajectory, &ReferenceLimits::default())?;
+    let reference_certificate = reference.certify(scene, net_length);
+    let warnings = reference_certificate
+        .claims
+        .iter()
+        .filter(|claim| !claim.holds)
+        .map(|claim| {
+            let (name, margin) = (claim.name, claim.margin);
+            format!(
+                "on the smooth reference the claim {name} misses by {:.6}: {}",
+                -margin, claim.detail
+            )
+        })
+        .collect();
+    let course = Course {
+        scene,
+        net_length,
+        trajectory,
+        reference: &reference,
+        options,
+    };
+    let trials = (0..options.trials)
+        .into_par_iter()
+        .map(|index| {
+            if observer.interrupted() {
+                return Ok(None);
+            }
+            let trial = trial::run(&course, index, observer)?;
+            if trial.is_some() {
+                observer.finished(index);
+            }
+            Ok(trial)
+        })
+        .collect::<Result<Vec<Option<Trial>>, ExecutionError>>()?;
+    let trials: Vec<Trial> = trials.into_iter().flatten().collect();
+    Ok(Execution {
+        controller: options.controller,
+        net_length,
+        reference_duration: reference.duration(),
+        reference_certificate,
+        interrupted: trials.len() < options.trials,
+        trials,
+        trials_wanted: options.trials,
+        warnings,
+    })
+}

@@ -67,11 +67,11 @@ impl<'a> PairLoop<'a> {
         &self.now
     }
 
-    /// Why the pair stands, once the supervisor has stopped it: the cause and the robot whose report it was.
-    pub fn stopped(&self) -> Option<PairStopCause> {
+    /// Why the pair stands, once the supervisor has stopped it: the cause and whose report it was (0 left, 1 right).
+    pub fn stopped(&self) -> Option<(PairStopCause, usize)> {
         match self.supervisor.state() {
             PairState::Running => None,
-            PairState::Stopped(cause) => Some(cause),
+            PairState::Stopped { cause, left } => Some((cause, usize::from(!left))),
         }
     }
 
@@ -117,7 +117,7 @@ impl<'a> PairLoop<'a> {
                 stopped: matches!(controller.mode(), Mode::Stopping(_) | Mode::Stopped(_)),
             }
         };
-        if let PairState::Stopped(_) = self.supervisor.update(&report(0), &report(1)) {
+        if let PairState::Stopped { .. } = self.supervisor.update(&report(0), &report(1)) {
             for controller in &mut self.controllers {
                 controller.stop(StopCause::Supervisor);
             }

@@ -1,4 +1,5 @@
-use super::sensing::Sensing;
+use super::ExecutionError;
+use super::sensing::{Sensing, TORQUE_PERIOD};
 use pairtrawl_control::{
     ControllerParameters, CoriolisForm, IntegralGains, LawParameters, Limits, MracGains,
     RobotModel, SupervisorLimits, TrackingGains, Velocity,
@@ -72,6 +73,94 @@ impl Default for ExecutionOptions {
             physics: pairtrawl_simulation::Options::default(),
             sample_interval: 0.05,
         }
+    }
+}
+
+impl ExecutionOptions {
+    /// Checks every range.
+    ///
+    /// # Errors
+    /// Names the first option that cannot be used.
+    pub fn validate(&self) -> Result<(), ExecutionError> {
+        let positive = "two numbers above 0, the lower first";
+        let not_negative = "two numbers, none below 0, the lower first";
+        range("robot_mass", self.robot_mass, f64::MIN_POSITIVE, positive)?;
+        range(
+            "robot_inertia",
+            self.robot_inertia,
+            f64::MIN_POSITIVE,
+            positive,
+        )?;
+        if let Some(masses) = self.object_mass {
+            range("object_mass", masses, f64::MIN_POSITIVE, positive)?;
+        }
+        range("friction", self.friction, 0.0, not_negative)?;
+        range("pose_delay", self.pose_delay, 0.0, not_negative)?;
+        range("velocity_delay", self.velocity_delay, 0.0, not_negative)?;
+        range(
+            "odometry_scale",
+            self.odometry_scale,
+            f64::MIN_POSITIVE,
+            positive,
+        )?;
+        single(
+            "position_noise",
+            self.sensing.position_noise,
+            0.0,
+            "finite and not below 0",
+        )?;
+        single(
+            "heading_noise",
+            self.sensing.heading_noise,
+            0.0,
+            "finite and not below 0",
+        )?;
+        single(
+            "payload",
+            self.payload.unwrap_or(1.0),
+            f64::MIN_POSITIVE,
+            "finite and above 0, kg",
+        )?;
+        single("trials", self.trials as f64, 1.0, "at least 1")?;
+        single(
+            "sample_interval",
+            self.sample_interval,
+            0.01,
+            "at least 0.01 s",
+        )?;
+        let ticks = TORQUE_PERIOD / self.physics.time_step;
+        if (ticks - ticks.round()).abs() > 1e-9 || ticks < 0.5 {
+            let bound = "a whole part of the torque loop's period of 0.002 s";
+            return Err(ExecutionError::Option {
+                name: "physics.time_step",
+                value: self.physics.time_step,
+                bound,
+            });
+        }
+        Ok(())
+    }
+}
+
+fn range(
+    name: &'static str,
+    [low, high]: [f64; 2],
+    least: f64,
+    bound: &'static str,
+) -> Result<(), ExecutionError> {
+    single(name, low, least, bound)?;
+    single(name, high, low, bound)
+}
+
+fn single(
+    name: &'static str,
+    value: f64,
+    least: f64,
+    bound: &'static str,
+) -> Result<(), ExecutionError> {
+    if value.is_finite() && value >= least {
+        Ok(())
+    } else {
+        Err(ExecutionError::Option { name, value, bound })
     }
 }
 

@@ -107,7 +107,7 @@ impl ReducedRun<'_> {
             for adapted in control.adapted() {
                 keep_greatest(&mut outcome.greatest, &adapted);
             }
-            if let Some(cause) = control.stopped() {
+            if let Some((cause, _)) = control.stopped() {
                 outcome.stopped = Some((cause, time));
                 break;
             }

@@ -1,0 +1,251 @@
+//! One drive of a plan by controllers in full physics.
+
+use super::ExecutionError;
+use super::collector::Collector;
+use super::control_loop::{PairLoop, Truth};
+use super::observer::ExecutionObserver;
+use super::options::{ExecutionOptions, controller_parameters};
+use super::sensing::{Normal, Sensing, TORQUE_PERIOD, TRACKER_TICKS};
+use super::statistics::mixed_seed;
+use crate::reference::Reference;
+use pairtrawl_control::{
+    PairStopCause, Pose as ControlPose, SupervisorLimits, Velocity, WheelTorque,
+};
+use pairtrawl_geometry::Pose;
+use pairtrawl_model::{
+    Cost, ExecutionEvent, ExecutionEventKind, PairTrajectory, RehearsalEventKind, Scene, Side,
+    Trial, TrialConditions,
+};
+use pairtrawl_simulation::{Options, PlanFollower, RobotDrive, RobotState, Simulation, Watch};
+use std::time::Instant;
+
+/// A plan that is driven, as every trial needs it.
+pub(super) struct Course<'a> {
+    pub scene: &'a Scene,
+    pub net_length: f64,
+    pub trajectory: &'a PairTrajectory,
+    pub reference: &'a Reference,
+    pub options: &'a ExecutionOptions,
+}
+
+/// Runs trial `index`. `Ok(None)`: the observer interrupted it.
+pub(super) fn run(
+    course: &Course,
+    index: usize,
+    observer: &dyn ExecutionObserver,
+) -> Result<Option<Trial>, ExecutionError> {
+    let begin = Instant::now();
+    let options = course.options;
+    let seed = mixed_seed(options.seed, index as u64);
+    let conditions = draw(course, seed);
+    let scene = changed(course.scene, &conditions);
+    let time_step = options.physics.time_step;
+    // Deviations from the plan are measured against the reference here; the watch is for everything else.
+    let physics = Options {
+        max_deviation: 10.0,
+        ..options.physics
+    };
+    let mut simulation = Simulation::starting_at(
+        &scene,
+        course.net_length,
+        course.trajectory.pair(0),
+        &physics,
+    )?;
+    let mut watch = Watch::new(
+        &scene,
+        &physics,
+        PlanFollower::new(course.trajectory)?,
+        &simulation,
+    );
+    let mut collector = Collector::new(time_step, options.sample_interval);
+    let sensing = conditions.odometry_scale.map(|odometry_scale| Sensing {
+        pose_delay: conditions.pose_delay,
+        velocity_delay: conditions.velocity_delay,
+        odometry_scale,
+        ..options.sensing
+    });
+    let supervisor = SupervisorLimits {
+        tension: scene.physics.tension_limit,
+        ..options.supervisor
+    };
+    let mut control = PairLoop::new(
+        course.reference,
+        &controller_parameters(course.scene, options.controller, options.nominal_inertia),
+        supervisor,
+        sensing,
+        [mixed_seed(seed, 1), mixed_seed(seed, 2)],
+    )?;
+    let mut stop: Option<ExecutionEvent> = None;
+    let mut end = course.reference.duration() + physics.settle_time;
+    let substeps = (TORQUE_PERIOD / time_step).round().max(1.0) as u64;
+    let mut ticks = 0_u64;
+    while simulation.time() < end {
+        let drag = collector.drag();
+        let states = simulation.robots();
+        let torques = control.tick([truth(&states[0], drag[0]), truth(&states[1], drag[1])]);
+        for _ in 0..substeps {
+            simulation.step(torques.map(|t| drive(&t)))?;
+            watch.observe(&simulation);
+            collector.step(&simulation);
+        }
+        ticks += 1;
+        if ticks.is_multiple_of(TRACKER_TICKS) {
+            collector.compare(
+                &simulation,
+                &course.reference.at(simulation.time()),
+                &control,
+            );
+        }
+        if stop.is_none()
+            && let Some((cause, side)) = control.stopped()
+        {
+            // A stopped pair is watched for a second more: it must come to rest.
+            end = end.min(simulation.time() + 1.0);
+            stop = Some(ExecutionEvent {
+                kind: ExecutionEventKind::PairStopped {
+                    cause: words(cause).to_owned(),
+                    robot: Side::BOTH[side],
+                },
+                time: simulation.time(),
+                place: simulation.robots()[side].pose.position(),
+            });
+        }
+        if ticks.is_multiple_of(250) {
+            if observer.interrupted() {
+                return Ok(None);
+            }
+            observer.progressed(index, (simulation.time() / end).min(1.0));
+        }
+    }
+    let cost = driven_cost(course, &collector);
+    let record = watch.finish(&simulation);
+    let physical = |e: &pairtrawl_model::RehearsalEvent| ExecutionEvent {
+        kind: ExecutionEventKind::Physical(e.kind),
+        time: e.time,
+        place: e.place,
+    };
+    let mut events: Vec<ExecutionEvent> = record
+        .events
+        .iter()
+        .filter(|e| !matches!(e.kind, RehearsalEventKind::RobotCaught { .. }))
+        .map(physical)
+        .chain(stop)
+        .collect();
+    events.sort_by(|a, b| a.time.total_cmp(&b.time));
+    Ok(Some(Trial {
+        index,
+        seed,
+        conditions,
+        gathered: record.gathered,
+        events,
+        tracking: collector.tracking(),
+        cost,
+        drag: collector.drag_statistics(),
+        max_torque: collector.max_torque(),
+        frames: record.frames,
+        samples: collector.into_samples(),
+        duration: simulation.time(),
+        seconds: begin.elapsed().as_secs_f64(),
+    }))
+}
+
+fn draw(course: &Course, seed: u64) -> TrialConditions {
+    let options = course.options;
+    let mut draw = Normal::new(seed);
+    let mut object_masses: Vec<f64> = course
+        .scene
+        .objects
+        .iter()
+        .map(|o| {
+            options
+                .object_mass
+                .map_or(o.mass, |range| draw.between(range))
+        })
+        .collect();
+    if let Some(payload) = options.payload {
+        let total: f64 = object_masses.iter().sum();
+        object_masses.iter_mut().for_each(|m| *m *= payload / total);
+    }
+    TrialConditions {
+        robot_mass_factor: draw.between(options.robot_mass),
+        robot_inertia_factor: draw.between(options.robot_inertia),
+        object_masses,
+        friction_factor: draw.between(options.friction),
+        pose_delay: draw.between(options.pose_delay),
+        velocity_delay: draw.between(options.velocity_delay),
+        odometry_scale: [
+            draw.between(options.odometry_scale),
+            draw.between(options.odometry_scale),
+        ],
+    }
+}
+
+/// The scene as the trial finds it; the controllers keep to the scene as it is written.
+fn changed(scene: &Scene, conditions: &TrialConditions) -> Scene {
+    let mut scene = scene.clone();
+    scene.physics.robot_mass *= conditions.robot_mass_factor;
+    scene.physics.robot_inertia *= conditions.robot_inertia_factor;
+    scene.physics.net_friction *= conditions.friction_factor;
+    scene.physics.object_friction *= conditions.friction_factor;
+    for (object, mass) in scene.objects.iter_mut().zip(&conditions.object_masses) {
+        object.mass = *mass;
+    }
+    scene
+}
+
+fn truth(state: &RobotState, tension: f64) -> Truth {
+    let pose = state.pose;
+    Truth {
+        pose: ControlPose {
+            x: pose.x,
+            y: pose.y,
+            heading: pose.heading,
+        },
+        velocity: Velocity {
+            linear: state.forward,
+            angular: state.turn_rate,
+        },
+        tension,
+    }
+}
+
+fn drive(torque: &WheelTorque<f64>) -> RobotDrive {
+    RobotDrive::Torques {
+        left: torque.left,
+        right: torque.right,
+    }
+}
+
+/// J on the poses at the instants at which the reference passes the plan's waypoints, for as far as the pair came.
+fn driven_cost(course: &Course, collector: &Collector) -> Cost {
+    let samples = collector.samples();
+    let mut driven = PairTrajectory {
+        step_time: course.trajectory.step_time,
+        ..PairTrajectory::default()
+    };
+    for i in 0..course.reference.waypoints() {
+        let time = course.reference.waypoint_time(i);
+        let after = samples.partition_point(|s| s.time < time);
+        let Some(b) = samples.get(after) else { break };
+        let a = &samples[after.saturating_sub(1)];
+        let part = if b.time > a.time {
+            (time - a.time) / (b.time - a.time)
+        } else {
+            0.0
+        };
+        let between = |a: Pose, b: Pose| a.lerp(b, part.clamp(0.0, 1.0));
+        driven.left.push(between(a.robots.left, b.robots.left));
+        driven.right.push(between(a.robots.right, b.robots.right));
+    }
+    pairtrawl_trajopt::evaluate(course.scene, &driven, course.net_length)
+}
+
+fn words(cause: PairStopCause) -> &'static str {
+    match cause {
+        PairStopCause::TrackingError => "too far from its reference",
+        PairStopCause::Silence => "silent for too long",
+        PairStopCause::Tension => "tension over the net's strength",
+        PairStopCause::RobotStopped => "it stopped by itself",
+        PairStopCause::InvalidReport => "a report with numbers that are none",
+    }
+}
