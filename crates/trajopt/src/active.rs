@@ -1,14 +1,13 @@
 //! Which constraints are in play: the fixed ones of every step and waypoint, and those of objects and obstacles nearby,
 //! which are looked up again as the trajectories move.
 
-use crate::constraints::{Forward, HalfPlane, PointDistance, RungDistance, StepLength, Turn};
+use crate::constraints::{CenterDistance, HalfPlane, PointDistance, RungDistance};
 use crate::iterate::Iterate;
 use crate::problem::Problem;
 use crate::row::Row;
-use crate::term::{Jet, PAIR, POINT, RUNG, STEP, Term};
+use crate::step::TURN_COST;
+use crate::term::{Jet, PAIR, POINT, RUNG, Term};
 
-/// Rows of one robot in one step, in this order: forward, step length, turn below, turn above, cost of turning.
-pub(crate) const STEP_ROWS: usize = 5;
 /// Rows of the pair at one waypoint: separation above, below, net reach, abreast left, abreast right.
 pub(crate) const PAIR_ROWS: usize = 5;
 /// Objects and obstacles are in play up to this far beyond the distance that is kept from them, m.
@@ -60,10 +59,31 @@ pub(crate) struct RungRow {
     pub row: Row<RUNG>,
 }
 
+/// Runs a block for every row.
+macro_rules! each_row {
+    ($set:expr, $row:ident, $with:block) => {
+        for $row in &$set.steps $with
+        for item in &$set.pairs { let $row = &item.row; $with }
+        for item in &$set.points { let $row = &item.row; $with }
+        for item in &$set.rungs { let $row = &item.row; $with }
+    };
+}
+
+/// Runs a block for every row, which it may change.
+macro_rules! each_row_mut {
+    ($set:expr, $row:ident, $with:block) => {
+        for $row in &mut $set.steps $with
+        for item in &mut $set.pairs { let $row = &mut item.row; $with }
+        for item in &mut $set.points { let $row = &mut item.row; $with }
+        for item in &mut $set.rungs { let $row = &mut item.row; $with }
+    };
+}
+
 /// All rows.
 #[derive(Clone, Debug, Default)]
 pub(crate) struct ActiveSet {
-    pub steps: Vec<Row<STEP>>,
+    /// Five bounds a robot and step.
+    pub steps: Vec<Row<1>>,
     pub pairs: Vec<PairRow>,
     pub points: Vec<PointRow>,
     pub rungs: Vec<RungRow>,
@@ -72,28 +92,6 @@ pub(crate) struct ActiveSet {
 }
 
 impl Problem {
-    pub(crate) fn step_term<R>(&self, kind: usize, with: impl Fn(&dyn Term<STEP>) -> R) -> R {
-        let p = &self.planner;
-        match kind {
-            0 => with(&Forward),
-            1 => with(&StepLength {
-                max_step: p.max_step - 1e-7,
-            }),
-            2 => with(&Turn {
-                offset: p.max_turn - 1e-7,
-                sign: 1.0,
-            }),
-            3 => with(&Turn {
-                offset: p.max_turn - 1e-7,
-                sign: -1.0,
-            }),
-            _ => with(&Turn {
-                offset: 0.0,
-                sign: -1.0,
-            }),
-        }
-    }
-
     pub(crate) fn pair_term<R>(&self, kind: u8, with: impl Fn(&dyn Term<PAIR>) -> R) -> R {
         match kind {
             0 => with(&self.separation_above()),
@@ -114,16 +112,10 @@ impl Problem {
         with: impl Fn(&dyn Term<POINT>) -> R,
     ) -> R {
         match *kind {
-            PointKind::Object(id) => {
-                let region = pairtrawl_geometry::Convex::Circle {
-                    center: self.objects[id as usize].0,
-                    radius: 0.0,
-                };
-                with(&PointDistance {
-                    region: &region,
-                    keep: self.object_keep(id),
-                })
-            }
+            PointKind::Object(id) => with(&CenterDistance {
+                center: self.objects[id as usize].0,
+                keep: self.object_keep(id),
+            }),
             PointKind::Piece(id) => with(&PointDistance {
                 region: self.pieces.get(id),
                 keep: self.robot.radius + self.reserve.clearance,
@@ -166,20 +158,18 @@ impl ActiveSet {
     pub fn new(problem: &Problem, x: &Iterate, weight: f64, mu: f64) -> Self {
         let n = x.stages.len();
         let mut set = Self::default();
+        let bounds = problem.step_bounds();
         for i in 0..n - 1 {
             for robot in 0..2 {
-                let z = x.step(i, robot);
-                for kind in 0..STEP_ROWS {
-                    let weight = if kind == 4 {
+                let step = x.step(i, robot);
+                for (kind, bound) in bounds.iter().enumerate() {
+                    let weight = if kind == TURN_COST {
                         2.0 * problem.turn_weight()
                     } else {
                         f64::INFINITY
                     };
-                    set.steps.push(Row::centered(
-                        problem.step_term(kind, |t| t.value(&z)),
-                        weight,
-                        mu,
-                    ));
+                    set.steps
+                        .push(Row::centered(bound.value(&step), weight, mu));
                 }
             }
         }
@@ -227,7 +217,11 @@ impl ActiveSet {
                     }
                 }
                 near.clear();
+                let reach = problem.robot.radius + problem.reserve.clearance + LOOK_AHEAD;
                 for &id in problem.pieces.near(p) {
+                    if !problem.pieces.get(id).may_be_near(p, p, reach) {
+                        continue;
+                    }
                     let c = problem.point_term(&PointKind::Piece(id), |t| t.value(&p.into()));
                     if c < LOOK_AHEAD {
                         near.push((c, id));
@@ -261,6 +255,13 @@ impl ActiveSet {
             candidates.sort_unstable();
             candidates.dedup();
             for id in candidates {
+                if !problem.pieces.get(id).may_be_near(
+                    l,
+                    r,
+                    problem.reserve.net_clearance + LOOK_AHEAD,
+                ) {
+                    continue;
+                }
                 let c = problem.rung_distance(id).value(&rung);
                 if c < LOOK_AHEAD {
                     near.push((c, id));

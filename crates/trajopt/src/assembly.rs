@@ -3,13 +3,13 @@
 //! Slacks, violations and multipliers of the inequalities are eliminated row by row; the equalities (no sideways slip) by
 //! dual regularization, `A dx + h = delta (lambda+ - lambda)`, which leaves `A^T A / delta` in the band.
 
-use crate::active::{ActiveSet, STEP_ROWS, jet_of};
-use crate::constraints::NoSidewaysSlip;
+use crate::active::{ActiveSet, jet_of};
 use crate::iterate::{Iterate, STAGE};
 use crate::linear::BandMatrix;
 use crate::problem::Problem;
 use crate::row::Row;
-use crate::term::{Jet, PAIR, POINT, RUNG, STEP, Term};
+use crate::step::{Coordinate, STEP_BOUNDS, Step};
+use crate::term::{Jet, PAIR, POINT, RUNG, Term};
 
 /// Dual regularization of the equalities.
 pub(crate) const DUAL_REGULARIZATION: f64 = 1e-9;
@@ -26,10 +26,19 @@ pub(crate) struct System {
     pub objective: Vec<f64>,
     /// Column of the net length.
     pub arrow: Vec<f64>,
-    /// Its diagonal entry, condensed gradient, Lagrangian gradient, objective gradient.
-    pub length: [f64; 4],
-    /// Value and gradient of the slip of each robot-step, in its local coordinates.
-    pub slips: Vec<(f64, [f64; STEP])>,
+    /// The net length's own entries.
+    pub length: LengthEntries,
+    /// Every robot-step at the iterate.
+    pub steps: Vec<Step>,
+}
+
+/// Diagonal and gradients of the net length.
+#[derive(Clone, Copy, Debug, Default)]
+pub(crate) struct LengthEntries {
+    pub diagonal: f64,
+    pub gradient: f64,
+    pub lagrangian: f64,
+    pub objective: f64,
 }
 
 /// Gradient and Hessian gathered in local coordinates before they are scattered once.
@@ -86,37 +95,33 @@ impl<const K: usize> Local<K> {
             }
         }
     }
-
-    #[inline]
-    fn add_equality(&mut self, jet: &Jet<K>, lambda: f64) {
-        let weight = 1.0 / DUAL_REGULARIZATION;
-        for i in 0..K {
-            let g = jet.gradient[i];
-            self.gradient[i] += (lambda + weight * jet.value) * g;
-            self.lagrangian[i] += lambda * g;
-            for j in 0..K {
-                self.hessian[i][j] += weight * g * jet.gradient[j];
-            }
-        }
-    }
 }
 
-/// Curvature of the Lagrangian over a step, made positive semidefinite.
-///
-/// With `u` along and `v` across the mid-step heading, `tension * s + lambda * h` has the Hessian
-/// `2 tension dv dpsi - tension s dpsi^2 - 2 lambda du dpsi`. On the linearized slip `dv = s dpsi` its first two terms are
-/// those of a taut string, `tension s dpsi^2`; the last one, `-2 lambda du dpsi`, is kept as far as the curvature in `u`
-/// that step bounds give (`along`) carries it.
-#[inline]
-fn add_string(local: &mut Local<STEP>, psi: f64, s: f64, tension: f64, lambda: f64, along: f64) {
-    let taut = (tension * s).max(0.0);
-    let most = 0.9 * (along * taut).sqrt();
-    let lateral = -lambda.clamp(-most, most);
-    let (sin, cos) = psi.sin_cos();
-    local.hessian[2][2] += taut;
-    for (k, c) in [(0, cos), (1, sin)] {
-        local.hessian[k][2] += lateral * c;
-        local.hessian[2][k] += lateral * c;
+/// First and second derivatives over one step, in `along`, `across`, `turn`.
+#[derive(Default)]
+struct StepDerivatives {
+    /// Condensed gradient, Lagrangian gradient and objective gradient.
+    gradients: [[f64; 3]; 3],
+    /// Diagonal second derivatives.
+    diagonal: [f64; 3],
+    /// Curvature of the frame: of a taut string, and of the lateral force against `along`.
+    taut: f64,
+    lateral: f64,
+}
+
+impl StepDerivatives {
+    /// Curvature of the Lagrangian over a step, made positive semidefinite.
+    ///
+    /// With `u` along and `v` across, `tension * u + lambda * v` has the Hessian
+    /// `2 tension dv dpsi - tension u dpsi^2 - 2 lambda du dpsi`. On the linearized slip `dv = u dpsi` its first two terms
+    /// are those of a taut string, `tension u dpsi^2`; the last one is kept as far as the curvature in `u` that the step's
+    /// bounds give carries it.
+    #[inline]
+    fn bend(&mut self, step: &Step, lambda: f64) {
+        let tension = self.gradients[1][0];
+        self.taut = (tension * step.along).max(0.0);
+        let most = 0.9 * (self.diagonal[0] * self.taut).sqrt();
+        self.lateral = -lambda.clamp(-most, most);
     }
 }
 
@@ -147,9 +152,8 @@ impl System {
             v.clear();
             v.resize(order, 0.0);
         }
-        self.length = [0.0; 4];
-        self.slips
-            .resize(2 * (x.stages.len() - 1), (0.0, [0.0; STEP]));
+        self.length = LengthEntries::default();
+        self.steps.clear();
         self.add_steps(problem, x, set, lambda, mu);
         self.add_pairs(problem, x, set, mu);
         self.add_points(problem, x, set, mu);
@@ -166,69 +170,91 @@ impl System {
         mu: f64,
     ) {
         let count = x.stages.len();
-        let distance = problem.distance();
+        let weight = problem.distance_weight();
+        let bounds = problem.step_bounds();
         for i in 0..count - 1 {
             for robot in 0..2 {
                 let at = 2 * i + robot;
-                let z = x.step(i, robot);
-                let mut local = Local::new();
-                local.add_gradient(&distance.jet(&z));
-                let slip = NoSidewaysSlip.jet(&z);
-                self.slips[at] = (slip.value, slip.gradient);
-                local.add_equality(&slip, lambda[at]);
-                for kind in 0..STEP_ROWS {
-                    let jet = problem.step_term(kind, jet_of(&z));
-                    local.add_row(&mut set.steps[at * STEP_ROWS + kind], &jet, mu);
+                let step = x.step(i, robot);
+                let mut d = StepDerivatives::default();
+                let dual = 1.0 / DUAL_REGULARIZATION;
+                d.gradients = [
+                    [weight, lambda[at] + dual * step.across, 0.0],
+                    [weight, lambda[at], 0.0],
+                    [weight, 0.0, 0.0],
+                ];
+                d.diagonal[1] = dual;
+                let rows = &mut set.steps[at * STEP_BOUNDS..(at + 1) * STEP_BOUNDS];
+                for (row, bound) in rows.iter_mut().zip(&bounds) {
+                    row.c = bound.value(&step);
+                    row.gradient = [bound.sign];
+                    let condensed = row.condense(mu, row.residual());
+                    let k = if bound.coordinate == Coordinate::Along {
+                        0
+                    } else {
+                        2
+                    };
+                    d.gradients[0][k] -= condensed.force * bound.sign;
+                    d.gradients[1][k] -= row.z * bound.sign;
+                    d.diagonal[k] += condensed.sigma;
                 }
-                let rows = &set.steps[at * STEP_ROWS..];
-                let tension = distance.weight - rows[0].z + rows[1].z;
-                let along = rows[0].sigma() + rows[1].sigma();
-                add_string(&mut local, z[2], rows[0].c, tension, lambda[at], along);
-                self.scatter_step(i, robot, count, &local);
+                d.bend(&step, lambda[at]);
+                self.scatter_step(i, robot, count, &step, &d);
+                self.steps.push(step);
             }
         }
     }
 
-    /// `dx = x1 - x0`, `dy = y1 - y0`, `psi = (phi0 + phi1)/2`, `delta = phi1 - phi0`.
-    #[inline]
-    fn scatter_step(&mut self, i: usize, robot: usize, count: usize, local: &Local<STEP>) {
-        let h = &local.hessian;
+    fn scatter_step(
+        &mut self,
+        i: usize,
+        robot: usize,
+        count: usize,
+        step: &Step,
+        d: &StepDerivatives,
+    ) {
+        let (c, s, u, v) = (step.cos, step.sin, step.along, step.across);
+        let [huu, hvv, htt] = d.diagonal;
+        // In (dx, dy, psi, turn); turn stands alone.
+        let xx = c * c * huu + s * s * hvv;
+        let xy = c * s * (huu - hvv);
+        let yy = s * s * huu + c * c * hvv;
+        let xp = c * (v * huu + d.lateral) + s * u * hvv;
+        let yp = s * (v * huu + d.lateral) - c * u * hvv;
+        let pp = v * v * huu + u * u * hvv + d.taut;
         let first = base(i, count).map(|b| b + 3 * robot);
         let second = base(i + 1, count).map(|b| b + 3 * robot);
-        // Coefficients of each variable (x, y, heading) in the local coordinates, at both ends.
-        let heading = |sign: f64| -> [f64; 2] { [0.5, sign] };
-        let (h0, h1) = (heading(-1.0), heading(1.0));
-        let bend = |a: [f64; 2], b: [f64; 2]| {
-            a[0] * (b[0] * h[2][2] + b[1] * h[2][3]) + a[1] * (b[0] * h[3][2] + b[1] * h[3][3])
-        };
-        let mix = |k: usize, a: [f64; 2]| a[0] * h[k][2] + a[1] * h[k][3];
-        for (end, sign, own) in [(first, -1.0, h0), (second, 1.0, h1)] {
+        for (end, sign) in [(first, -1.0), (second, 1.0)] {
             let Some(b) = end else { continue };
-            for (target, source) in [
-                (&mut self.gradient, &local.gradient),
-                (&mut self.lagrangian, &local.lagrangian),
-                (&mut self.objective, &local.objective),
-            ] {
-                target[b] += sign * source[0];
-                target[b + 1] += sign * source[1];
-                target[b + 2] += own[0] * source[2] + own[1] * source[3];
+            for (target, g) in [
+                &mut self.gradient,
+                &mut self.lagrangian,
+                &mut self.objective,
+            ]
+            .into_iter()
+            .zip(&d.gradients)
+            {
+                target[b] += sign * (c * g[0] - s * g[1]);
+                target[b + 1] += sign * (s * g[0] + c * g[1]);
+                target[b + 2] += 0.5 * (v * g[0] - u * g[1]) + sign * g[2];
             }
-            self.matrix.add_lower(b, b, h[0][0]);
-            self.matrix.add_lower(b + 1, b, h[1][0]);
-            self.matrix.add_lower(b + 1, b + 1, h[1][1]);
-            self.matrix.add_lower(b + 2, b, sign * mix(0, own));
-            self.matrix.add_lower(b + 2, b + 1, sign * mix(1, own));
-            self.matrix.add_lower(b + 2, b + 2, bend(own, own));
+            self.matrix.add_lower(b, b, xx);
+            self.matrix.add_lower(b + 1, b, xy);
+            self.matrix.add_lower(b + 1, b + 1, yy);
+            self.matrix.add_lower(b + 2, b, 0.5 * sign * xp);
+            self.matrix.add_lower(b + 2, b + 1, 0.5 * sign * yp);
+            self.matrix.add_lower(b + 2, b + 2, 0.25 * pp + htt);
         }
         if let (Some(a), Some(b)) = (first, second) {
-            for p in 0..2 {
-                for q in 0..2 {
-                    self.matrix.add_lower(b + p, a + q, -h[p][q]);
-                }
-                self.matrix.add_lower(b + p, a + 2, mix(p, h0));
-                self.matrix.add_lower(b + 2, a + p, -mix(p, h1));
-            }
-            self.matrix.add_lower(b + 2, a + 2, bend(h0, h1));
+            self.matrix.add_lower(b, a, -xx);
+            self.matrix.add_lower(b, a + 1, -xy);
+            self.matrix.add_lower(b, a + 2, 0.5 * xp);
+            self.matrix.add_lower(b + 1, a, -xy);
+            self.matrix.add_lower(b + 1, a + 1, -yy);
+            self.matrix.add_lower(b + 1, a + 2, 0.5 * yp);
+            self.matrix.add_lower(b + 2, a, -0.5 * xp);
+            self.matrix.add_lower(b + 2, a + 1, -0.5 * yp);
+            self.matrix.add_lower(b + 2, a + 2, 0.25 * pp - htt);
         }
     }
 
@@ -261,10 +287,10 @@ impl System {
             (5, 3, 1.0),
         ];
         const LENGTH: usize = 4;
-        self.length[0] += local.hessian[LENGTH][LENGTH];
-        self.length[1] += local.gradient[LENGTH];
-        self.length[2] += local.lagrangian[LENGTH];
-        self.length[3] += local.objective[LENGTH];
+        self.length.diagonal += local.hessian[LENGTH][LENGTH];
+        self.length.gradient += local.gradient[LENGTH];
+        self.length.lagrangian += local.lagrangian[LENGTH];
+        self.length.objective += local.objective[LENGTH];
         let Some(b) = base else { return };
         for (v, k, sign) in MAP {
             self.gradient[b + v] += sign * local.gradient[k];
@@ -344,32 +370,4 @@ impl System {
             }
         }
     }
-}
-
-/// Value of the objective.
-pub(crate) fn objective(problem: &Problem, x: &Iterate) -> f64 {
-    let (distance, expansion, weights) = (
-        problem.distance(),
-        problem.expansion(),
-        problem.smoothness(),
-    );
-    let count = x.stages.len();
-    let mut total = 0.0;
-    for i in 0..count {
-        total += expansion.value(&x.pair(i));
-        if i + 1 < count {
-            // Turning is -t2 delta plus an elastic row.
-            for robot in 0..2 {
-                let z = x.step(i, robot);
-                total += distance.value(&z) - problem.turn_weight() * z[3];
-            }
-        }
-        if i > 0 && i + 1 < count {
-            for v in 0..STAGE {
-                let difference = x.stages[i - 1][v] - 2.0 * x.stages[i][v] + x.stages[i + 1][v];
-                total += weights[v % 3] * difference * difference;
-            }
-        }
-    }
-    total
 }

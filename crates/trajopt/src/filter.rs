@@ -1,4 +1,9 @@
-use crate::interior_point::Merit;
+/// Violation and barrier function at a point.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct Point {
+    pub theta: f64,
+    pub phi: f64,
+}
 
 /// The filter of a line search: pairs of violation and barrier function that no later iterate may be worse than in both.
 #[derive(Clone, Debug, Default)]
@@ -20,7 +25,7 @@ impl Filter {
 
     /// Whether a trial point is accepted; an accepted step that is not justified by the barrier function alone adds the
     /// point that it left to the filter.
-    pub fn accepts(&mut self, from: Merit, to: Merit, alpha: f64, slope: f64) -> bool {
+    pub fn accepts(&mut self, from: Point, to: Point, alpha: f64, slope: f64) -> bool {
         if self.most == 0.0 {
             self.least = 1e-4 * from.theta.max(1.0);
             self.most = 1e4 * from.theta.max(1.0);

@@ -1,6 +1,7 @@
 //! The point that the solver moves: poses of both robots at every waypoint, and the net length.
 
-use crate::term::{PAIR, POINT, RUNG, STEP};
+use crate::step::Step;
+use crate::term::{PAIR, POINT, RUNG};
 use pairtrawl_geometry::{Point, Pose};
 use pairtrawl_model::PairTrajectory;
 
@@ -39,17 +40,11 @@ impl Iterate {
         }
     }
 
-    /// Local coordinates of robot 0 or 1 over the step from waypoint `i`.
+    /// Robot 0 or 1 over the step from waypoint `i`.
     #[inline]
-    pub fn step(&self, i: usize, robot: usize) -> [f64; STEP] {
-        let (a, b) = (&self.stages[i], &self.stages[i + 1]);
+    pub fn step(&self, i: usize, robot: usize) -> Step {
         let k = 3 * robot;
-        [
-            b[k] - a[k],
-            b[k + 1] - a[k + 1],
-            0.5 * (a[k + 2] + b[k + 2]),
-            b[k + 2] - a[k + 2],
-        ]
+        Step::new(&self.stages[i][k..k + 3], &self.stages[i + 1][k..k + 3])
     }
 
     #[inline]

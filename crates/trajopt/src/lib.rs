@@ -15,6 +15,7 @@
 //!
 //! An interior point with elastic inequalities solves it; its Newton system is banded, with one dense row for `d_max`.
 
+#[macro_use]
 mod active;
 mod assembly;
 mod constraints;
@@ -23,11 +24,15 @@ mod costs;
 mod filter;
 mod interior_point;
 mod iterate;
+mod line_search;
 mod linear;
+mod merit;
+mod newton;
 mod optimise;
 mod pieces;
 mod problem;
 mod row;
+mod step;
 mod term;
 
 pub use cost::evaluate;

@@ -1,10 +1,61 @@
 use pairtrawl_geometry::{Convex, Point};
 use pairtrawl_model::Area;
 
+/// A convex region with what its distances need: a polygon (no radius) or a disc (one vertex).
+#[derive(Clone, Debug)]
+pub struct Piece {
+    /// Counter-clockwise, or the center.
+    pub vertices: Vec<Point>,
+    /// Outward unit normals of the edges from each vertex to the next, and their lengths; none for a disc.
+    pub edges: Vec<(Point, f64)>,
+    /// Of a disc, else 0.
+    pub radius: f64,
+    low: Point,
+    high: Point,
+}
+
+impl Piece {
+    /// From a convex region.
+    pub fn new(region: &Convex) -> Self {
+        let (low, high) = bounds(region);
+        match region {
+            Convex::Circle { center, radius } => Self {
+                vertices: vec![*center],
+                edges: Vec::new(),
+                radius: *radius,
+                low,
+                high,
+            },
+            Convex::Polygon(vertices) => {
+                let next = vertices.iter().cycle().skip(1);
+                let edges = vertices.iter().zip(next).map(|(&a, &b)| {
+                    let length = a.distance(b);
+                    (-(b - a).perp() / length, length)
+                });
+                Self {
+                    edges: edges.collect(),
+                    vertices: vertices.clone(),
+                    radius: 0.0,
+                    low,
+                    high,
+                }
+            }
+        }
+    }
+
+    /// True when the piece may be nearer than `reach` to the box between two points.
+    pub fn may_be_near(&self, a: Point, b: Point, reach: f64) -> bool {
+        self.low.x - reach <= a.x.max(b.x)
+            && self.high.x + reach >= a.x.min(b.x)
+            && self.low.y - reach <= a.y.max(b.y)
+            && self.high.y + reach >= a.y.min(b.y)
+    }
+}
+
 /// Convex pieces of the obstacles with a bucket grid, to find those near a point without looking at all.
 #[derive(Clone, Debug)]
 pub(crate) struct PieceIndex {
-    pieces: Vec<Convex>,
+    pieces: Vec<Piece>,
     origin: Point,
     cell: f64,
     columns: usize,
@@ -44,7 +95,7 @@ impl PieceIndex {
         let columns = (size.x / cell).ceil() as usize + 1;
         let rows = (size.y / cell).ceil() as usize + 1;
         let mut index = Self {
-            pieces: pieces.to_vec(),
+            pieces: pieces.iter().map(Piece::new).collect(),
             origin: area.min,
             cell,
             columns,
@@ -76,11 +127,7 @@ impl PieceIndex {
         &self.buckets[row * self.columns + column]
     }
 
-    pub(crate) fn get(&self, id: u32) -> &Convex {
+    pub(crate) fn get(&self, id: u32) -> &Piece {
         &self.pieces[id as usize]
-    }
-
-    pub(crate) fn all(&self) -> &[Convex] {
-        &self.pieces
     }
 }

@@ -1,5 +1,5 @@
 use crate::constraints::{Abreast, NetReach, SeparationAbove, SeparationBelow};
-use crate::costs::{Distance, Expansion};
+use crate::costs::Expansion;
 use crate::pieces::PieceIndex;
 use pairtrawl_geometry::{Convex, Point};
 use pairtrawl_model::{Area, PairPose, PlannerParameters, Robot, Scene};
@@ -70,15 +70,9 @@ impl Problem {
         }
     }
 
-    /// The convex cover of the obstacles, as given.
-    pub fn obstacles(&self) -> &[Convex] {
-        self.pieces.all()
-    }
-
-    pub(crate) fn distance(&self) -> Distance {
-        Distance {
-            weight: self.planner.a2 * self.planner.t1,
-        }
+    /// Cost of a meter driven.
+    pub(crate) fn distance_weight(&self) -> f64 {
+        self.planner.a2 * self.planner.t1
     }
 
     /// Cost of a radian turned.

@@ -4,6 +4,8 @@
 //! `s z = mu`, `e y = mu` on the central path. An infinite weight makes the row hard (`e = 0`). Eliminating `s`, `e`, `z` from
 //! the Newton system leaves `sigma grad grad^T - z hess` in the matrix.
 
+use crate::merit::Merit;
+
 /// The state of a row.
 #[derive(Clone, Copy, Debug)]
 pub struct Row<const K: usize> {
@@ -17,6 +19,8 @@ pub struct Row<const K: usize> {
     pub z: f64,
     /// The constraint's value at the iterate.
     pub c: f64,
+    /// Its value at the last trial point.
+    pub trial: f64,
     /// Its gradient at the iterate, in the row's local coordinates.
     pub gradient: [f64; K],
     /// Directions of the last Newton step.
@@ -45,6 +49,7 @@ impl<const K: usize> Row<K> {
             e: 0.0,
             z: 0.0,
             c,
+            trial: c,
             gradient: [0.0; K],
             ds: 0.0,
             de: 0.0,
@@ -149,17 +154,31 @@ impl<const K: usize> Row<K> {
         ((self.s + alpha * self.ds).max(c + e), e)
     }
 
-    /// Barrier terms and cost of violation at given `s` and `e`.
+    /// Forgets the direction.
+    pub fn rest(&mut self) {
+        (self.ds, self.de, self.dz) = (0.0, 0.0, 0.0);
+    }
+
+    /// Takes the step to the last trial point.
     #[inline]
-    pub fn barrier(&self, mu: f64, s: f64, e: f64) -> f64 {
+    pub fn advance(&mut self, alpha: f64, dual: f64) {
+        self.c = self.trial;
+        (self.s, self.e) = self.stepped(alpha, self.c);
+        self.z += dual * self.dz;
+    }
+
+    /// Adds cost of violation and logarithms at given `s` and `e` to a merit.
+    #[inline]
+    pub fn add_to(&self, merit: &mut Merit, s: f64, e: f64) {
         if self.weight.is_finite() {
-            self.weight * e - mu * (s.ln() + e.ln())
+            merit.elastic += self.weight * e;
+            merit.logarithms.push(s * e);
         } else {
-            -mu * s.ln()
+            merit.logarithms.push(s);
         }
     }
 
-    /// Slope of [`Self::barrier`] along the step.
+    /// Slope of the barrier function along the step.
     #[inline]
     pub fn barrier_slope(&self, mu: f64) -> f64 {
         let s = -mu * self.ds / self.s;

@@ -38,9 +38,6 @@ pub trait Term<const K: usize> {
     fn jet(&self, z: &[f64; K]) -> Jet<K>;
 }
 
-/// Local coordinates of one robot over one step: `dx, dy` (displacement, m), `psi` (mid-step heading, rad) and
-/// `delta` (heading change, rad).
-pub const STEP: usize = 4;
 /// Local coordinates of the pair at one waypoint: `rx, ry` (from right to left robot, m), `phi_l, phi_r` (rad), `d_max` (m).
 pub const PAIR: usize = 5;
 /// Local coordinates of one robot at one waypoint: `x, y`, m.

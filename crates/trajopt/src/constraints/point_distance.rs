@@ -1,94 +1,114 @@
+use crate::pieces::Piece;
 use crate::term::{Jet, POINT, Term};
-use pairtrawl_geometry::{Convex, Point};
+use pairtrawl_geometry::Point;
 
 /// A robot's axle center keeps `keep` from a convex region: signed distance minus `keep`.
 pub struct PointDistance<'a> {
     /// The region.
-    pub region: &'a Convex,
+    pub region: &'a Piece,
+    /// m.
+    pub keep: f64,
+}
+
+/// A robot's axle center keeps `keep` from a point.
+pub struct CenterDistance {
+    /// The point.
+    pub center: Point,
     /// m.
     pub keep: f64,
 }
 
 /// What of the region is nearest.
 enum Nearest {
-    /// A vertex or center, and what to subtract from the distance to it.
-    Corner(Point, f64),
+    /// A vertex or center.
+    Corner(Point),
     /// A point of an edge and its outward unit normal.
     Edge(Point, Point),
 }
 
-fn nearest(region: &Convex, p: Point) -> Nearest {
-    let vertices = match region {
-        Convex::Circle { center, radius } => return Nearest::Corner(*center, *radius),
-        Convex::Polygon(vertices) => vertices,
-    };
-    let mut best = (f64::NEG_INFINITY, Point::ZERO, Point::ZERO, 0);
-    for (i, &a) in vertices.iter().enumerate() {
-        let b = vertices[(i + 1) % vertices.len()];
-        let edge = b - a;
-        let normal = -edge.perp() / edge.norm();
-        let outside = normal.dot(p - a);
-        if outside > best.0 {
-            best = (outside, a, normal, i);
+fn nearest(region: &Piece, p: Point) -> Nearest {
+    let vertices = &region.vertices;
+    if region.edges.is_empty() {
+        return Nearest::Corner(vertices[0]);
+    }
+    // The foremost edge is nearest inside, and outside when the point lies over it; else a corner or another edge that
+    // faces the point is.
+    let mut foremost = (f64::NEG_INFINITY, 0);
+    let mut best = (f64::INFINITY, Nearest::Corner(vertices[0]));
+    for (i, (&a, &(normal, length))) in vertices.iter().zip(&region.edges).enumerate() {
+        let out = p - a;
+        let outside = normal.dot(out);
+        if outside > foremost.0 {
+            foremost = (outside, i);
+        }
+        if outside > 0.0 {
+            let t = normal.perp().dot(out);
+            let squared = if t < 0.0 {
+                out.norm_squared()
+            } else if t > length {
+                outside * outside + (t - length) * (t - length)
+            } else {
+                outside * outside
+            };
+            if squared < best.0 {
+                let feature = if t < 0.0 {
+                    Nearest::Corner(a)
+                } else if t > length {
+                    Nearest::Corner(vertices[(i + 1) % vertices.len()])
+                } else {
+                    Nearest::Edge(a, normal)
+                };
+                best = (squared, feature);
+            }
         }
     }
-    let (outside, a, normal, i) = best;
-    if outside <= 0.0 {
-        return Nearest::Edge(a, normal);
+    if best.0.is_finite() {
+        best.1
+    } else {
+        Nearest::Edge(vertices[foremost.1], region.edges[foremost.1].0)
     }
-    // Outside, the foremost edge need not be the nearest, but the nearest feature is found from all of them.
-    let mut least = (f64::INFINITY, Nearest::Edge(a, normal));
-    let count = vertices.len();
-    for k in 0..count {
-        let (a, b) = (vertices[(i + k) % count], vertices[(i + k + 1) % count]);
-        let edge = b - a;
-        let t = (p - a).dot(edge) / edge.norm_squared();
-        let feature = if t <= 0.0 {
-            Nearest::Corner(a, 0.0)
-        } else if t >= 1.0 {
-            Nearest::Corner(b, 0.0)
-        } else {
-            Nearest::Edge(a, -edge.perp() / edge.norm())
-        };
-        let distance = match feature {
-            Nearest::Corner(v, _) => p.distance(v),
-            Nearest::Edge(v, n) => n.dot(p - v).abs(),
-        };
-        if distance < least.0 {
-            least = (distance, feature);
-        }
-    }
-    least.1
 }
 
-/// Distance to a point, minus `minus`, with derivatives.
-pub(super) fn corner_jet(p: Point, corner: Point, minus: f64) -> Jet<POINT> {
-    let d = p.distance(corner).max(1e-9);
-    let u = (p - corner) / d;
-    let mut jet = Jet::constant(d - minus);
-    jet.gradient = [u.x, u.y];
-    jet.hessian = [
-        [u.y * u.y / d, -u.x * u.y / d],
-        [-u.x * u.y / d, u.x * u.x / d],
-    ];
-    jet
+fn distance(a: Point, b: Point) -> f64 {
+    (a - b).norm_squared().sqrt()
+}
+
+impl Term<POINT> for CenterDistance {
+    fn value(&self, &[x, y]: &[f64; POINT]) -> f64 {
+        distance(Point::new(x, y), self.center) - self.keep
+    }
+
+    fn jet(&self, &[x, y]: &[f64; POINT]) -> Jet<POINT> {
+        let p = Point::new(x, y);
+        let d = distance(p, self.center).max(1e-9);
+        let u = (p - self.center) / d;
+        let mut jet = Jet::constant(d - self.keep);
+        jet.gradient = [u.x, u.y];
+        jet.hessian = [
+            [u.y * u.y / d, -u.x * u.y / d],
+            [-u.x * u.y / d, u.x * u.x / d],
+        ];
+        jet
+    }
 }
 
 impl Term<POINT> for PointDistance<'_> {
     fn value(&self, &[x, y]: &[f64; POINT]) -> f64 {
         let p = Point::new(x, y);
+        let keep = self.keep + self.region.radius;
         match nearest(self.region, p) {
-            Nearest::Corner(c, minus) => p.distance(c) - minus - self.keep,
-            Nearest::Edge(a, n) => n.dot(p - a) - self.keep,
+            Nearest::Corner(center) => CenterDistance { center, keep }.value(&[x, y]),
+            Nearest::Edge(a, n) => n.dot(p - a) - keep,
         }
     }
 
     fn jet(&self, &[x, y]: &[f64; POINT]) -> Jet<POINT> {
         let p = Point::new(x, y);
+        let keep = self.keep + self.region.radius;
         match nearest(self.region, p) {
-            Nearest::Corner(c, minus) => corner_jet(p, c, minus + self.keep),
+            Nearest::Corner(center) => CenterDistance { center, keep }.jet(&[x, y]),
             Nearest::Edge(a, n) => {
-                let mut jet = Jet::constant(n.dot(p - a) - self.keep);
+                let mut jet = Jet::constant(n.dot(p - a) - keep);
                 jet.gradient = [n.x, n.y];
                 jet
             }

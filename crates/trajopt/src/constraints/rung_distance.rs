@@ -1,12 +1,13 @@
 use super::PointDistance;
+use crate::pieces::Piece;
 use crate::term::{Jet, RUNG, Term};
-use pairtrawl_geometry::{Convex, Point};
+use pairtrawl_geometry::Point;
 
 /// The line between the robots keeps `keep` from a convex region: signed distance (along the best separating axis when
 /// they overlap) minus `keep`. Robots keep their own radius; this matters where a corner pokes between them.
 pub struct RungDistance<'a> {
     /// The region.
-    pub region: &'a Convex,
+    pub region: &'a Piece,
     /// m.
     pub keep: f64,
 }
@@ -17,26 +18,20 @@ enum Nearest {
     Left,
     /// The right end.
     Right,
-    /// A corner over the inside of the line, `sign` = 1 when it lies to the left of right -> left; what to subtract.
-    Inside(Point, f64, f64),
+    /// A corner over the inside of the line, and 1 when it lies to the left of right -> left, else -1.
+    Inside(Point, f64),
     /// An edge of the region is the best separating axis of an overlap: a point of it, its normal, the deeper end is left.
     Axis(Point, Point, bool),
 }
 
-fn corners(region: &Convex) -> (&[Point], f64) {
-    match region {
-        Convex::Circle { center, radius } => (std::slice::from_ref(center), *radius),
-        Convex::Polygon(vertices) => (vertices, 0.0),
-    }
-}
-
-fn nearest(region: &Convex, l: Point, r: Point) -> Nearest {
-    let (corners, radius) = corners(region);
+fn nearest(region: &Piece, l: Point, r: Point) -> Nearest {
+    let (corners, radius) = (&region.vertices, region.radius);
     let rung = l - r;
-    let length = rung.norm().max(1e-9);
+    let length = rung.norm_squared().sqrt().max(1e-9);
     let normal = rung.perp() / length;
-    // Sides of the corners against the rung's line.
+    // Sides of the corners against the rung's line, and the nearest corner over its inside.
     let (mut low, mut high) = ((f64::INFINITY, corners[0]), (f64::NEG_INFINITY, corners[0]));
+    let mut over = (f64::INFINITY, Nearest::Left);
     for &c in corners {
         let side = normal.dot(c - r);
         if side < low.0 {
@@ -45,54 +40,42 @@ fn nearest(region: &Convex, l: Point, r: Point) -> Nearest {
         if side > high.0 {
             high = (side, c);
         }
+        let t = (c - r).dot(rung);
+        if t >= 0.0 && t <= length * length && side.abs() - radius < over.0 {
+            over = (side.abs() - radius, Nearest::Inside(c, side.signum()));
+        }
     }
-    let (line_gap, line) = if low.0 - radius >= -(high.0 + radius) {
-        (low.0 - radius, Nearest::Inside(low.1, 1.0, radius))
-    } else {
-        (-high.0 - radius, Nearest::Inside(high.1, -1.0, radius))
-    };
     let at = |p: Point| PointDistance { region, keep: 0.0 }.value(&[p.x, p.y]);
-    let (gap_l, gap_r) = (at(l), at(r));
-    // The nearest corner over the inside of the line, when the line's own axis separates.
+    let (line_gap, line) = if low.0 >= -high.0 {
+        (low.0 - radius, Nearest::Inside(low.1, 1.0))
+    } else {
+        (-high.0 - radius, Nearest::Inside(high.1, -1.0))
+    };
+    let nearer_end = || {
+        let (gap_l, gap_r) = (at(l), at(r));
+        if gap_l <= gap_r {
+            (gap_l, Nearest::Left)
+        } else {
+            (gap_r, Nearest::Right)
+        }
+    };
     if line_gap > 0.0 {
-        let mut best = (
-            gap_l.min(gap_r),
-            if gap_l <= gap_r {
-                Nearest::Left
-            } else {
-                Nearest::Right
-            },
-        );
-        for &c in corners {
-            let t = (c - r).dot(rung) / (length * length);
-            let side = normal.dot(c - r);
-            let gap = side.abs() - radius;
-            if (0.0..=1.0).contains(&t) && gap < best.0 {
-                best = (gap, Nearest::Inside(c, side.signum(), radius));
-            }
-        }
-        return best.1;
+        let end = nearer_end();
+        return if over.0 < end.0 { over.1 } else { end.1 };
     }
-    // The line's axis does not separate; an edge's may.
+    // The line's own axis does not separate; an edge's may.
     let mut axis = (f64::NEG_INFINITY, Nearest::Left);
-    if let Convex::Polygon(vertices) = region {
-        for (i, &a) in vertices.iter().enumerate() {
-            let edge = vertices[(i + 1) % vertices.len()] - a;
-            let n = -edge.perp() / edge.norm();
-            let (left, right) = (n.dot(l - a), n.dot(r - a));
-            if left.min(right) > axis.0 {
-                axis = (left.min(right), Nearest::Axis(a, n, left < right));
-            }
+    for (&a, &(n, _)) in corners.iter().zip(&region.edges) {
+        let (left, right) = (n.dot(l - a), n.dot(r - a));
+        if left.min(right) > axis.0 {
+            axis = (left.min(right), Nearest::Axis(a, n, left < right));
         }
-    } else if !(0.0..=1.0).contains(&((corners[0] - r).dot(rung) / (length * length))) {
-        axis = (gap_l.min(gap_r), Nearest::Left);
+    }
+    if region.edges.is_empty() {
+        axis = nearer_end();
     }
     if axis.0 > 0.0 {
-        return if gap_l <= gap_r {
-            Nearest::Left
-        } else {
-            Nearest::Right
-        };
+        return nearer_end().1;
     }
     if axis.0 > line_gap { axis.1 } else { line }
 }
@@ -112,8 +95,9 @@ impl Term<RUNG> for RungDistance<'_> {
         match nearest(self.region, l, r) {
             Nearest::Left => self.point().value(&[lx, ly]),
             Nearest::Right => self.point().value(&[rx, ry]),
-            Nearest::Inside(c, sign, minus) => {
-                sign * (l - r).cross(c - r) / l.distance(r) - minus - self.keep
+            Nearest::Inside(c, sign) => {
+                let side = sign * (l - r).cross(c - r) / (l - r).norm_squared().sqrt();
+                side - self.region.radius - self.keep
             }
             Nearest::Axis(a, n, left) => n.dot(if left { l } else { r } - a) - self.keep,
         }
@@ -141,7 +125,7 @@ impl Term<RUNG> for RungDistance<'_> {
                 jet.gradient[at + 1] = n.y;
                 jet
             }
-            Nearest::Inside(c, sign, minus) => inside_jet(l, r, c, sign, minus + self.keep),
+            Nearest::Inside(c, sign) => inside_jet(l, r, c, sign, self.region.radius + self.keep),
         }
     }
 }
@@ -149,7 +133,7 @@ impl Term<RUNG> for RungDistance<'_> {
 /// `sign (l - r) x (c - r) / |l - r| - minus` with derivatives in `l` and `r`.
 fn inside_jet(l: Point, r: Point, c: Point, sign: f64, minus: f64) -> Jet<RUNG> {
     let e = l - r;
-    let n = e.norm();
+    let n = e.norm_squared().sqrt();
     let q = c - r;
     let a = e.cross(q);
     // a = e x q; derivatives in (lx, ly, rx, ry).

@@ -1,7 +1,6 @@
-//! The terms of the paper's J in differentiable form, one a file. Smoothness is quadratic and lives in the assembly.
+//! The terms of the paper's J that bend, in differentiable form. J_dist is linear in the coordinates of a step
+//! ([`crate::step`]), J_s is quadratic and lives in the assembly.
 
-mod distance;
 mod expansion;
 
-pub use distance::Distance;
 pub use expansion::Expansion;

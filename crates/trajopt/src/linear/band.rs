@@ -16,11 +16,6 @@ impl BandMatrix {
         self.columns.resize(order, [0.0; COLUMN]);
     }
 
-    /// The order of the matrix.
-    pub fn order(&self) -> usize {
-        self.columns.len()
-    }
-
     /// Adds to entry `(row, column)` with `row >= column` and `row - column <= 12`.
     #[inline]
     pub fn add_lower(&mut self, row: usize, column: usize, value: f64) {
@@ -28,30 +23,11 @@ impl BandMatrix {
         self.columns[column][row - column] += value;
     }
 
-    /// Adds to entry `(a, b)` of the symmetric matrix, given once for both sides of the diagonal.
-    #[inline]
-    pub fn add(&mut self, a: usize, b: usize, value: f64) {
-        self.add_lower(a.max(b), a.min(b), value);
-    }
-
     /// Copies another matrix of the same order and adds `shift` to the diagonal.
     pub fn copy_shifted(&mut self, other: &Self, shift: f64) {
         self.columns.clone_from(&other.columns);
         for column in &mut self.columns {
             column[0] += shift;
-        }
-    }
-
-    /// Product with a vector (before factorization).
-    pub fn multiply(&self, x: &[f64], y: &mut [f64]) {
-        y.fill(0.0);
-        for (j, column) in self.columns.iter().enumerate() {
-            y[j] += column[0] * x[j];
-            let reach = HALF_BANDWIDTH.min(x.len() - 1 - j);
-            for k in 1..=reach {
-                y[j + k] += column[k] * x[j];
-                y[j] += column[k] * x[j + k];
-            }
         }
     }
 

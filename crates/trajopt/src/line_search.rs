@@ -1,0 +1,148 @@
+//! Moving along the Newton direction: the longest of a few step lengths that the filter accepts.
+
+use crate::active::ActiveSet;
+use crate::filter::Point;
+use crate::interior_point::{State, Workspace};
+use crate::iterate::{Iterate, STAGE};
+use crate::merit::Merit;
+use crate::newton::Longest;
+use crate::problem::Problem;
+use crate::row::Row;
+use crate::step::STEP_BOUNDS;
+use crate::term::Term;
+
+const SHORTEST_STEP: f64 = 1e-6;
+/// A step of at least this length counts as a Newton step.
+const NEARLY_FULL: f64 = 0.5;
+
+impl Workspace {
+    /// Moves the state along the direction of `self.newton`.
+    pub fn line_search(&mut self, problem: &Problem, state: &mut State, longest: Longest) {
+        let mu = state.mu;
+        let start = Point {
+            theta: state.merit.theta,
+            phi: state.merit.phi(mu),
+        };
+        let mut slope = self.newton.objective_slope(&self.system);
+        each_row!(state.set, row, { slope += row.barrier_slope(mu) });
+        let mut alpha = longest.primal;
+        let reached = loop {
+            self.trial
+                .assign_stepped(&state.x, alpha, &self.newton.direction, self.newton.length);
+            let merit = state.set.trial_merit(problem, &self.trial, alpha);
+            let point = Point {
+                theta: merit.theta,
+                phi: merit.phi(mu),
+            };
+            if self.filter.accepts(start, point, alpha, slope) {
+                break merit;
+            }
+            alpha *= 0.5;
+            if alpha < SHORTEST_STEP {
+                // Nothing to be gained here by shorter steps: go a little, with a fresh filter.
+                self.filter.clear();
+                break merit;
+            }
+        };
+        let taken = alpha.max(SHORTEST_STEP);
+        let merit = if taken == alpha {
+            reached
+        } else {
+            self.trial
+                .assign_stepped(&state.x, taken, &self.newton.direction, self.newton.length);
+            state.set.trial_merit(problem, &self.trial, taken)
+        };
+        state.promise = if taken >= NEARLY_FULL {
+            -slope
+        } else {
+            f64::INFINITY
+        };
+        std::mem::swap(&mut state.x, &mut self.trial);
+        state.set.advance(taken, longest.dual);
+        state.merit = merit;
+    }
+}
+
+impl ActiveSet {
+    /// Merit of the point at which the rows stand.
+    pub fn merit(&mut self, problem: &Problem, x: &Iterate) -> Merit {
+        each_row_mut!(self, row, { row.rest() });
+        self.trial_merit(problem, x, 0.0)
+    }
+
+    /// Merit at a trial point, slacks stepped by `alpha`; rows keep the values of their constraints there.
+    fn trial_merit(&mut self, problem: &Problem, x: &Iterate, alpha: f64) -> Merit {
+        let mut merit = Merit {
+            cost: objective(problem, x),
+            ..Merit::default()
+        };
+        let bounds = problem.step_bounds();
+        for (at, rows) in self.steps.chunks_exact_mut(STEP_BOUNDS).enumerate() {
+            let step = x.step(at / 2, at % 2);
+            merit.theta += step.across.abs();
+            merit.cost += problem.distance_weight() * step.along;
+            for (row, bound) in rows.iter_mut().zip(&bounds) {
+                merit.add(row, alpha, bound.value(&step));
+            }
+        }
+        for pair in &mut self.pairs {
+            let z = x.pair(pair.stage as usize);
+            merit.add(
+                &mut pair.row,
+                alpha,
+                problem.pair_term(pair.kind, |t| t.value(&z)),
+            );
+        }
+        for point in &mut self.points {
+            let z = x.point(point.stage as usize, point.robot.into());
+            merit.add(
+                &mut point.row,
+                alpha,
+                problem.point_term(&point.kind, |t| t.value(&z)),
+            );
+        }
+        for rung in &mut self.rungs {
+            let z = x.rung(rung.stage as usize);
+            merit.add(
+                &mut rung.row,
+                alpha,
+                problem.rung_distance(rung.piece).value(&z),
+            );
+        }
+        merit
+    }
+
+    /// All rows at the last trial point.
+    fn advance(&mut self, alpha: f64, dual: f64) {
+        each_row_mut!(self, row, { row.advance(alpha, dual) });
+    }
+}
+
+impl Merit {
+    #[inline]
+    fn add<const K: usize>(&mut self, row: &mut Row<K>, alpha: f64, c: f64) {
+        row.trial = c;
+        let (s, e) = row.stepped(alpha, c);
+        self.theta += (c - s + e).abs();
+        row.add_to(self, s, e);
+    }
+}
+
+/// The objective but for driven distance, which is summed with the bounds of the steps.
+fn objective(problem: &Problem, x: &Iterate) -> f64 {
+    let (expansion, weights) = (problem.expansion(), problem.smoothness());
+    let count = x.stages.len();
+    // Turning is -t2 delta, which telescopes, plus an elastic row.
+    let turned = |v: usize| x.stages[count - 1][v] - x.stages[0][v];
+    let mut total = -problem.turn_weight() * (turned(2) + turned(5));
+    for i in 0..count {
+        total += expansion.value(&x.pair(i));
+    }
+    for w in x.stages.windows(3) {
+        for v in 0..STAGE {
+            let difference = w[0][v] - 2.0 * w[1][v] + w[2][v];
+            total += weights[v % 3] * difference * difference;
+        }
+    }
+    total
+}

@@ -1,0 +1,54 @@
+//! What a line search compares: violation, and the barrier function by its parts.
+
+/// Merit of a point.
+#[derive(Clone, Copy, Debug, Default)]
+pub(crate) struct Merit {
+    /// Sum of all residuals.
+    pub theta: f64,
+    /// Objective.
+    pub cost: f64,
+    /// Cost of elastic violations.
+    pub elastic: f64,
+    /// Of all slacks and violations.
+    pub logarithms: LogarithmSum,
+}
+
+impl Merit {
+    /// Barrier function at barrier parameter `mu`.
+    pub fn phi(&self, mu: f64) -> f64 {
+        self.cost + self.elastic - mu * self.logarithms.sum()
+    }
+}
+
+/// A sum of logarithms by way of products: few logarithms are taken.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct LogarithmSum {
+    sum: f64,
+    product: f64,
+}
+
+impl Default for LogarithmSum {
+    fn default() -> Self {
+        Self {
+            sum: 0.0,
+            product: 1.0,
+        }
+    }
+}
+
+impl LogarithmSum {
+    /// Adds the logarithm of a positive number; of anything else the sum becomes NaN.
+    #[inline]
+    pub fn push(&mut self, value: f64) {
+        self.product *= value;
+        if !(1e-200..1e200).contains(&self.product) {
+            self.sum += (self.product / value).ln() + value.ln();
+            self.product = 1.0;
+        }
+    }
+
+    /// The sum.
+    pub fn sum(&self) -> f64 {
+        self.sum + self.product.ln()
+    }
+}
