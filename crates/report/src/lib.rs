@@ -6,6 +6,7 @@ mod csv;
 mod frame;
 mod length_svg;
 mod map;
+pub mod mcap;
 mod page;
 mod plan_svg;
 mod svg;
