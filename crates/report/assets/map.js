@@ -64,16 +64,6 @@
     svgText("y (m)", { transform: turn, class: "tick", "text-anchor": "middle" }, axes);
   };
 
-  // Layers.
-  for (const check of document.querySelectorAll("#layers input")) {
-    const apply = () => {
-      const layer = byId(check.dataset.layer);
-      if (layer) layer.style.display = check.checked ? "" : "none";
-    };
-    check.addEventListener("change", apply);
-    apply();
-  }
-
   // Zoom and pan.
   const zoomBy = (factor) => {
     view.zoom *= factor;
@@ -105,7 +95,6 @@
   const corner = (robot, i) => `${robot.x[i].toFixed(3)} ${robot.y[i].toFixed(3)}`;
   const quad = (i) => {
     const ring = [[plan.left, i], [plan.right, i], [plan.right, i + 1], [plan.left, i + 1]];
-    // A self-crossing step is drawn as its two triangles' outline; the true hull is in the layer below.
     return `M${ring.map(([robot, k]) => corner(robot, k)).join("L")}Z`;
   };
   const steps = Math.max(0, plan.times.length - 1);
@@ -116,7 +105,7 @@
     blocks.push(svgElement("path", { d }, sweptGroup));
   }
   const partial = svgElement("path", {}, sweptGroup);
-  const showSwept = (motion, time) => {
+  const showSwept = (time) => {
     const done = locate(plan.times, time).index;
     const whole = Math.floor(done / BLOCK);
     blocks.forEach((block, k) => (block.style.display = k < whole ? "" : "none"));
@@ -149,6 +138,15 @@
     return group;
   });
 
+  // Layers; what moves goes with what it belongs to.
+  const movingParts = { "layer-sweep": sweptGroup, "layer-objects": movers };
+  for (const check of document.querySelectorAll("#layers input")) {
+    const parts = [byId(check.dataset.layer), movingParts[check.dataset.layer]].filter(Boolean);
+    const apply = () => parts.forEach((part) => (part.style.visibility = check.checked ? "" : "hidden"));
+    check.addEventListener("change", apply);
+    apply();
+  }
+
   const degrees = (radians) => (radians * 180) / Math.PI;
   const place = (group, poses, at) => {
     const [x, y, angle] = [blend(poses.x, at), blend(poses.y, at), blend(poses.angle, at)];
@@ -168,7 +166,7 @@
     const nodes = motion.net.map((node) => `${blend(node.x, at)} ${blend(node.y, at)}`);
     net.setAttribute("d", nodes.length ? `M${nodes.join("L")}` : `M${hitchOf(left)}L${hitchOf(right)}`);
     net.classList.toggle("faint", nodes.length === 0);
-    showSwept(motion, time);
+    showSwept(time);
     const moving = motion.objects !== null;
     movers.style.display = moving ? "" : "none";
     if (moving) motion.objects.forEach((poses, k) => shapes[k] && place(shapes[k], poses, at));
@@ -188,6 +186,9 @@
       pin.setAttribute("cx", x);
       pin.setAttribute("cy", y);
       pin.setAttribute("r", 0.02 * Math.max(x1 - x0, y1 - y0));
+      view.x = x;
+      view.y = y;
+      draw();
       byId("map-card").scrollIntoView({ block: "nearest" });
     });
   }

@@ -139,7 +139,7 @@
     plot.py = py;
     svg.replaceChildren();
     svgElement("rect", { class: "pane", x: margin.left, y: margin.top, width: plot.width, height: bottom - margin.top }, svg);
-    const tx = ticksOf(0, duration, plot.width / 56);
+    const tx = ticksOf(0, duration, plot.width / 44);
     for (const value of tx.values) {
       svgElement("path", { class: "grid", d: `M${px(value)} ${margin.top}V${bottom}` }, svg);
       svgText(formatNumber(value, tx.decimals), { x: px(value), y: bottom + 14, class: "tick", "text-anchor": "middle" }, svg);

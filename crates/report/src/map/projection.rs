@@ -1,5 +1,5 @@
 use crate::svg::Rounded;
-use pairtrawl_geometry::Point;
+use pairtrawl_geometry::{Bounds, Point};
 use pairtrawl_model::SceneOutline;
 
 /// The part of the floor that is drawn.
@@ -12,13 +12,26 @@ pub(crate) struct View {
 }
 
 impl View {
-    /// The area and as much around it as a robot at its border needs.
+    /// The area and as much around it as a robot at its border needs. Of a ROS map, which may be blocked far and wide,
+    /// only the part with free cells.
     pub fn of(outline: &SceneOutline) -> Self {
-        let margin = outline.robot.radius + 0.02 * (outline.area.max - outline.area.min).norm();
-        let margin = Point::new(margin, margin);
+        let area = Bounds {
+            min: outline.area.min,
+            max: outline.area.max,
+        };
+        let pairs = [outline.start, outline.end];
+        let robots = pairs
+            .iter()
+            .flat_map(|p| [p.left.position(), p.right.position()]);
+        let free = outline.free_rings.iter().flatten().flatten().copied();
+        let used = match outline.free_rings {
+            Some(_) => Bounds::of(&free.chain(robots).collect::<Vec<_>>()),
+            None => area,
+        };
+        let view = used.grown(outline.robot.radius + 0.02 * (used.max - used.min).norm());
         Self {
-            min: outline.area.min - margin,
-            max: outline.area.max + margin,
+            min: view.min,
+            max: view.max,
         }
     }
 
