@@ -12,14 +12,49 @@ use crate::term::{Jet, PAIR, POINT, RUNG, Term};
 pub(crate) const PAIR_ROWS: usize = 5;
 /// Objects and obstacles are in play up to this far beyond the distance that is kept from them, m.
 const LOOK_AHEAD: f64 = 0.35;
+/// Rows of the claim itself are in play up to this far, m.
+const CLAIM_AHEAD: f64 = 0.15;
+const CLAIM_PRICE: f64 = 30.0;
+/// A chord between waypoints comes this much nearer to a corner than the waypoints, m: `max_step^2 / (8 radius)`.
+pub(crate) const SAG: f64 = 1.4e-3;
 /// At most this many obstacle pieces a robot or line at a waypoint: the nearest ones.
 const MOST_PIECES: usize = 6;
+
+/// How much is kept from a thing: the wished-for margin, which may give way at a price, or what the claim needs, which
+/// costs far more. Without the second a squeezed robot would give up all of one distance to save another.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(crate) enum Tier {
+    Margin,
+    Claim,
+}
+
+impl Tier {
+    /// Price of a meter, as a multiple of the elastic weight.
+    fn price(self) -> f64 {
+        match self {
+            Self::Margin => 1.0,
+            Self::Claim => CLAIM_PRICE,
+        }
+    }
+
+    /// Distance kept beyond the claim's bound, m.
+    fn reserve(self, margin: f64) -> f64 {
+        match self {
+            Self::Margin => margin,
+            Self::Claim => SAG.min(margin),
+        }
+    }
+
+    const BOTH: [Self; 2] = [Self::Margin, Self::Claim];
+}
 
 /// What a robot keeps from at a waypoint.
 #[derive(Clone, Copy, Debug)]
 pub(crate) enum PointKind {
-    Object(u32),
-    Piece(u32),
+    /// The object and how much is kept.
+    Object(u32, Tier),
+    /// The obstacle piece and how much is kept.
+    Piece(u32, Tier),
     /// On its side of an object where the rung passes over it.
     Side(u32, HalfPlane),
     /// 0..4: left, right, lower, upper bound of the area.
@@ -29,10 +64,10 @@ pub(crate) enum PointKind {
 impl PointKind {
     fn key(&self) -> (u8, u32) {
         match *self {
-            Self::Object(id) => (0, id),
-            Self::Piece(id) => (1, id),
-            Self::Side(id, _) => (2, id),
-            Self::Area(side) => (3, side.into()),
+            Self::Object(id, tier) => (tier as u8, id),
+            Self::Piece(id, tier) => (2 + tier as u8, id),
+            Self::Side(id, _) => (4, id),
+            Self::Area(side) => (5, side.into()),
         }
     }
 }
@@ -56,7 +91,20 @@ pub(crate) struct PairRow {
 pub(crate) struct RungRow {
     pub stage: u32,
     pub piece: u32,
+    pub tier: Tier,
     pub row: Row<RUNG>,
+}
+
+impl PointRow {
+    fn key(&self) -> (u32, u8, (u8, u32)) {
+        (self.stage, self.robot, self.kind.key())
+    }
+}
+
+impl RungRow {
+    fn key(&self) -> (u32, u32, u8) {
+        (self.stage, self.piece, self.tier as u8)
+    }
 }
 
 /// Runs a block for every row.
@@ -102,8 +150,8 @@ impl Problem {
         }
     }
 
-    fn object_keep(&self, id: u32) -> f64 {
-        self.objects[id as usize].1 + self.reserve.clearance
+    fn object_keep(&self, id: u32, tier: Tier) -> f64 {
+        self.objects[id as usize].1 + tier.reserve(self.reserve.clearance)
     }
 
     pub(crate) fn point_term<R>(
@@ -112,13 +160,13 @@ impl Problem {
         with: impl Fn(&dyn Term<POINT>) -> R,
     ) -> R {
         match *kind {
-            PointKind::Object(id) => with(&CenterDistance {
+            PointKind::Object(id, tier) => with(&CenterDistance {
                 center: self.objects[id as usize].0,
-                keep: self.object_keep(id),
+                keep: self.object_keep(id, tier),
             }),
-            PointKind::Piece(id) => with(&PointDistance {
+            PointKind::Piece(id, tier) => with(&PointDistance {
                 region: self.pieces.get(id),
-                keep: self.robot.radius + self.reserve.clearance,
+                keep: self.robot.radius + tier.reserve(self.reserve.clearance),
             }),
             PointKind::Side(_, plane) => with(&plane),
             PointKind::Area(side) => {
@@ -145,10 +193,10 @@ impl Problem {
         }
     }
 
-    pub(crate) fn rung_distance(&self, piece: u32) -> RungDistance<'_> {
+    pub(crate) fn rung_distance(&self, piece: u32, tier: Tier) -> RungDistance<'_> {
         RungDistance {
             region: self.pieces.get(piece),
-            keep: self.reserve.net_clearance,
+            keep: tier.reserve(self.reserve.net_clearance),
         }
     }
 }
@@ -197,97 +245,120 @@ impl ActiveSet {
         let old_rungs = std::mem::take(&mut self.rungs);
         let mut near = Vec::new();
         for i in 1..x.stages.len() - 1 {
-            let stage = i as u32;
-            for robot in 0..2u8 {
-                let p = x.position(i, robot.into());
-                let mut push = |kind: PointKind, weight: f64| {
-                    let c = problem.point_term(&kind, |t| t.value(&p.into()));
-                    self.points.push(PointRow {
-                        stage,
-                        robot,
-                        kind,
-                        row: Row::centered(c, weight, mu),
-                    });
-                };
-                for id in 0..problem.objects.len() as u32 {
-                    if p.distance(problem.objects[id as usize].0)
-                        < problem.object_keep(id) + LOOK_AHEAD
-                    {
-                        push(PointKind::Object(id), weight);
-                    }
-                }
-                near.clear();
-                let reach = problem.robot.radius + problem.reserve.clearance + LOOK_AHEAD;
-                for &id in problem.pieces.near(p) {
-                    if !problem.pieces.get(id).may_be_near(p, p, reach) {
-                        continue;
-                    }
-                    let c = problem.point_term(&PointKind::Piece(id), |t| t.value(&p.into()));
-                    if c < LOOK_AHEAD {
-                        near.push((c, id));
-                    }
-                }
-                for &id in keep_nearest(&mut near) {
-                    push(PointKind::Piece(id), weight);
-                }
-                for (id, &crossing) in self.crossings.iter().enumerate() {
-                    if crossing == i {
-                        push(
-                            PointKind::Side(id as u32, side_plane(problem, x, i, id, robot)),
-                            weight,
-                        );
-                    }
-                }
-                for side in 0..4 {
-                    let kind = PointKind::Area(side);
-                    if problem.point_term(&kind, |t| t.value(&p.into())) < LOOK_AHEAD {
-                        push(kind, f64::INFINITY);
-                    }
+            for robot in 0..2 {
+                self.look_up_point(problem, x, (i, robot), weight, mu, &mut near);
+            }
+            self.look_up_rung(problem, x, i, weight, mu, &mut near);
+        }
+        carry_over(&mut self.points, &old_points, PointRow::key, |p| &mut p.row);
+        carry_over(&mut self.rungs, &old_rungs, RungRow::key, |r| &mut r.row);
+    }
+
+    fn look_up_point(
+        &mut self,
+        problem: &Problem,
+        x: &Iterate,
+        (stage, robot): (usize, u8),
+        weight: f64,
+        mu: f64,
+        near: &mut Vec<(f64, u32)>,
+    ) {
+        let p = x.position(stage, robot.into());
+        let value = |kind: &PointKind| problem.point_term(kind, |t| t.value(&p.into()));
+        let first = self.points.len();
+        let mut push = |kind: PointKind, c: f64, weight: f64| {
+            let row = Row::centered(c, weight, mu);
+            self.points.push(PointRow {
+                stage: stage as u32,
+                robot,
+                kind,
+                row,
+            });
+        };
+        let mut push_tiers = |kind: &dyn Fn(Tier) -> PointKind| {
+            for tier in Tier::BOTH {
+                let c = value(&kind(tier));
+                if tier == Tier::Margin || c < CLAIM_AHEAD {
+                    push(kind(tier), c, weight * tier.price());
                 }
             }
-            near.clear();
-            let rung = x.rung(i);
-            let (l, r) = (x.position(i, 0), x.position(i, 1));
-            let mut candidates: Vec<u32> = [l, r, l.lerp(r, 0.5)]
-                .iter()
-                .flat_map(|&p| problem.pieces.near(p).iter().copied())
-                .collect();
-            candidates.sort_unstable();
-            candidates.dedup();
-            for id in candidates {
-                if !problem.pieces.get(id).may_be_near(
-                    l,
-                    r,
-                    problem.reserve.net_clearance + LOOK_AHEAD,
-                ) {
-                    continue;
-                }
-                let c = problem.rung_distance(id).value(&rung);
+        };
+        for id in 0..problem.objects.len() as u32 {
+            let reach = problem.object_keep(id, Tier::Margin) + LOOK_AHEAD;
+            if (p - problem.objects[id as usize].0).norm_squared() < reach * reach {
+                push_tiers(&|tier| PointKind::Object(id, tier));
+            }
+        }
+        near.clear();
+        let reach = problem.robot.radius + problem.reserve.clearance + LOOK_AHEAD;
+        for &id in problem.pieces.near(p) {
+            if problem.pieces.get(id).may_be_near(p, p, reach) {
+                let c = value(&PointKind::Piece(id, Tier::Margin));
                 if c < LOOK_AHEAD {
                     near.push((c, id));
                 }
             }
-            for &piece in keep_nearest(&mut near) {
-                let c = problem.rung_distance(piece).value(&rung);
-                self.rungs.push(RungRow {
-                    stage,
-                    piece,
-                    row: Row::centered(c, weight, mu),
-                });
+        }
+        for &id in keep_nearest(near) {
+            push_tiers(&|tier| PointKind::Piece(id, tier));
+        }
+        for (id, &crossing) in self.crossings.iter().enumerate() {
+            if crossing == stage {
+                let kind = PointKind::Side(id as u32, side_plane(problem, x, stage, id, robot));
+                push(kind, value(&kind), weight);
             }
         }
-        carry_over(
-            &mut self.points,
-            &old_points,
-            |p| (p.stage, p.robot, p.kind.key()),
-            |p| &mut p.row,
-        );
-        carry_over(
-            &mut self.rungs,
-            &old_rungs,
-            |r| (r.stage, 0, (0, r.piece)),
-            |r| &mut r.row,
-        );
+        for side in 0..4 {
+            let kind = PointKind::Area(side);
+            let c = value(&kind);
+            if c < LOOK_AHEAD {
+                push(kind, c, f64::INFINITY);
+            }
+        }
+        self.points[first..].sort_by_key(PointRow::key);
+    }
+
+    fn look_up_rung(
+        &mut self,
+        problem: &Problem,
+        x: &Iterate,
+        stage: usize,
+        weight: f64,
+        mu: f64,
+        near: &mut Vec<(f64, u32)>,
+    ) {
+        near.clear();
+        let rung = x.rung(stage);
+        let (l, r) = (x.position(stage, 0), x.position(stage, 1));
+        let mut candidates: Vec<u32> = [l, r, l.lerp(r, 0.5)]
+            .iter()
+            .flat_map(|&p| problem.pieces.near(p).iter().copied())
+            .collect();
+        candidates.sort_unstable();
+        candidates.dedup();
+        for id in candidates {
+            let reach = problem.reserve.net_clearance + LOOK_AHEAD;
+            if problem.pieces.get(id).may_be_near(l, r, reach) {
+                let c = problem.rung_distance(id, Tier::Margin).value(&rung);
+                if c < LOOK_AHEAD {
+                    near.push((c, id));
+                }
+            }
+        }
+        for &piece in keep_nearest(near) {
+            for tier in Tier::BOTH {
+                let c = problem.rung_distance(piece, tier).value(&rung);
+                if tier == Tier::Margin || c < CLAIM_AHEAD {
+                    let row = Row::centered(c, weight * tier.price(), mu);
+                    self.rungs.push(RungRow {
+                        stage: stage as u32,
+                        piece,
+                        tier,
+                        row,
+                    });
+                }
+            }
+        }
     }
 
     /// The waypoint at which the rung passes over each object: of those where it does, the one nearest the object along the

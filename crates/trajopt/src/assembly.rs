@@ -322,7 +322,9 @@ impl System {
         let count = x.stages.len();
         for rung in &mut set.rungs {
             let stage = rung.stage as usize;
-            let jet = problem.rung_distance(rung.piece).jet(&x.rung(stage));
+            let jet = problem
+                .rung_distance(rung.piece, rung.tier)
+                .jet(&x.rung(stage));
             let mut local = Local::<RUNG>::new();
             local.add_row(&mut rung.row, &jet, mu);
             if let Some(b) = base(stage, count) {

@@ -36,7 +36,7 @@ impl Default for Settings {
             initial_mu: 1.0,
             barrier_decrease: 0.1,
             relative_gap: 2e-4,
-            relative_decrease: 1e-5,
+            relative_decrease: 5e-5,
             feasibility_tolerance: 1e-6,
             elastic_weight: 3e3,
         }
@@ -77,7 +77,7 @@ pub(crate) struct State {
     pub residuals: Residuals,
     /// Merit of the point.
     pub merit: Merit,
-    /// Decrease of the barrier function that the last Newton step promised; infinite when it was cut short.
+    /// Decrease of the barrier function that the last full Newton step promised; infinite before the first.
     pub promise: f64,
     /// Largest multiplier of an equality.
     pub force: f64,
@@ -87,6 +87,8 @@ pub(crate) struct State {
 const LEAST_SHIFT: f64 = 0.1;
 /// Shift once the cost is optimal and only violations are left to mend.
 const POLISHING_SHIFT: f64 = 100.0;
+const POLISHING_INCREASE: f64 = 4.0;
+const GREATEST_POLISHING_SHIFT: f64 = 1e7;
 /// Constraints near are looked up again when a robot moved this far, m.
 const REFRESH_DISTANCE: f64 = 0.15;
 /// A barrier problem is solved well enough when what is left of it is this share of the gap.
@@ -139,7 +141,7 @@ pub(crate) fn solve(
                 return SolverStatus::Converged;
             }
             // What is left is slip; small steps mend it without wandering along directions that cost nothing.
-            shift = POLISHING_SHIFT;
+            shift = (POLISHING_INCREASE * shift).clamp(POLISHING_SHIFT, GREATEST_POLISHING_SHIFT);
         }
         if state.iterations >= settings.max_iterations {
             return SolverStatus::IterationLimit;

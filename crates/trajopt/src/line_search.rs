@@ -12,8 +12,6 @@ use crate::step::STEP_BOUNDS;
 use crate::term::Term;
 
 const SHORTEST_STEP: f64 = 1e-6;
-/// A step of at least this length counts as a Newton step.
-const NEARLY_FULL: f64 = 0.5;
 
 impl Workspace {
     /// Moves the state along the direction of `self.newton`.
@@ -52,11 +50,7 @@ impl Workspace {
                 .assign_stepped(&state.x, taken, &self.newton.direction, self.newton.length);
             state.set.trial_merit(problem, &self.trial, taken)
         };
-        state.promise = if taken >= NEARLY_FULL {
-            -slope
-        } else {
-            f64::INFINITY
-        };
+        state.promise = slope.abs();
         std::mem::swap(&mut state.x, &mut self.trial);
         state.set.advance(taken, longest.dual);
         state.merit = merit;
@@ -106,7 +100,7 @@ impl ActiveSet {
             merit.add(
                 &mut rung.row,
                 alpha,
-                problem.rung_distance(rung.piece).value(&z),
+                problem.rung_distance(rung.piece, rung.tier).value(&z),
             );
         }
         merit

@@ -1,4 +1,4 @@
-use crate::active::PointKind;
+use crate::active::{PointKind, SAG, Tier};
 use crate::interior_point::{Residuals, Settings, State, Workspace, solve};
 use crate::iterate::Iterate;
 use crate::problem::Problem;
@@ -52,6 +52,10 @@ pub struct ShrunkMargin {
     pub place: Point,
 }
 
+/// Violations that do not vanish at this cost a meter are not for want of a price.
+const GREATEST_ELASTIC_WEIGHT: f64 = 1e6;
+const ELASTIC_WEIGHT_INCREASE: f64 = 20.0;
+
 /// Optimises from a start, until solved or out of iterations.
 pub fn optimise(problem: &Problem, start: &PairTrajectory, settings: &Settings) -> Solution {
     optimise_watched(problem, start, settings, &mut |_, _| true)
@@ -69,12 +73,24 @@ pub fn optimise_watched(
         .unwrap_or_else(|| first_net_length(problem, start));
     let mut x = Iterate::from_trajectory(start, net_length);
     fix_ends(problem, &mut x);
-    let mut state = State::new(problem, x, settings);
+    let mut settings = *settings;
+    let mut state = State::new(problem, x, &settings);
     let mut work = Workspace::default();
-    let mut status = solve(problem, &mut state, settings, &mut work, &mut |s| {
-        go_on(s.iterations, &s.residuals)
-    });
-    let (violations, shrunk_margins) = shortfalls(problem, &state);
+    let mut go_on = |s: &State| go_on(s.iterations, &s.residuals);
+    let mut status = solve(problem, &mut state, &settings, &mut work, &mut go_on);
+    let (mut violations, mut shrunk_margins) = shortfalls(problem, &state);
+    // Violations may only have been too cheap.
+    while status == SolverStatus::Converged
+        && !violations.is_empty()
+        && settings.elastic_weight < GREATEST_ELASTIC_WEIGHT
+    {
+        settings.elastic_weight *= ELASTIC_WEIGHT_INCREASE;
+        let iterations = state.iterations;
+        state = State::new(problem, state.x, &settings);
+        state.iterations = iterations;
+        status = solve(problem, &mut state, &settings, &mut work, &mut go_on);
+        (violations, shrunk_margins) = shortfalls(problem, &state);
+    }
     if status == SolverStatus::Converged && !violations.is_empty() {
         status = SolverStatus::LocallyInfeasible;
     }
@@ -174,13 +190,18 @@ fn shortfalls(problem: &Problem, state: &State) -> (Vec<Violation>, Vec<ShrunkMa
     for point in &state.set.points {
         let stage = point.stage as usize;
         let (claim, subject, margin) = match point.kind {
-            PointKind::Object(id) => ("robots_miss_objects", Some(id as usize), reserve.clearance),
-            PointKind::Piece(id) => ("robot_clearance", Some(id as usize), reserve.clearance),
-            PointKind::Side(id, _) => (
-                "every_object_covered",
+            PointKind::Object(id, tier) => (
+                "robots_miss_objects",
                 Some(id as usize),
-                0.5 * problem.robot.radius,
+                slack(tier, reserve.clearance),
             ),
+            PointKind::Piece(id, tier) => (
+                "robot_clearance",
+                Some(id as usize),
+                slack(tier, reserve.clearance),
+            ),
+            // A side is a help; the claim is what matters.
+            PointKind::Side(..) => continue,
             PointKind::Area(_) => ("inside_area", None, 0.0),
         };
         judge(
@@ -198,15 +219,24 @@ fn shortfalls(problem: &Problem, state: &State) -> (Vec<Violation>, Vec<ShrunkMa
             .x
             .position(stage, 0)
             .lerp(state.x.position(stage, 1), 0.5);
+        let margin = slack(rung.tier, reserve.net_clearance);
         judge(
             "net_encloses_no_obstacle",
             stage,
             Some(rung.piece as usize),
             place,
             rung.row.c,
-            reserve.net_clearance,
+            margin,
         );
     }
     violations.sort_by(|a, b| b.amount.total_cmp(&a.amount));
     (violations, margins)
+}
+
+/// How far a row may fall below zero before its claim fails, m.
+fn slack(tier: Tier, margin: f64) -> f64 {
+    match tier {
+        Tier::Margin => margin,
+        Tier::Claim => SAG.min(margin),
+    }
 }
