@@ -88,7 +88,8 @@
       const note = document.createElement("span");
       note.className = "entry";
       const side = limit.value > range.high ? "above" : "below";
-      note.textContent = `${limit.label} ${Number(limit.value.toPrecision(3))} is ${side} the plot`;
+      const value = String(Number(limit.value.toPrecision(3))).replace("-", "\u2212");
+      note.textContent = `${limit.label} ${value} is ${side} the plot`;
       caption.appendChild(note);
     }
     figure.appendChild(caption);

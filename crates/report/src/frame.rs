@@ -44,7 +44,7 @@ impl Frame {
         self.top + self.height
     }
 
-    /// Grid lines, tick labels and the names of both axes; needs 58 px to the left and 42 px below.
+    /// Grid lines, tick labels and the names of both axes; needs about 60 px to the left and 42 px below.
     pub fn draw_axes(&self, w: &mut Writer, x_name: &str, y_name: &str) {
         let n = |v: f64| Rounded(v, 1);
         w.open("g", &[("class", &"axes")]);
@@ -64,6 +64,7 @@ impl Frame {
             );
         }
         let ticks = Ticks::new(self.y.0, self.y.1, (self.height / 50.0) as usize);
+        let mut longest = 0;
         for v in &ticks.values {
             let y = self.py(*v);
             let d = format!("M{} {}H{}", n(self.left), n(y), n(self.right()));
@@ -72,6 +73,7 @@ impl Frame {
             w.empty("path", &[("class", &"tick"), ("d", &d)]);
             let (x, y) = (n(self.left - 8.0), n(y + 4.0));
             let label = ticks.label(*v);
+            longest = longest.max(label.chars().count());
             w.text(
                 "text",
                 &[("x", &x), ("y", &y), ("text-anchor", &"end")],
@@ -84,7 +86,10 @@ impl Frame {
             &[("x", &x), ("y", &y), ("text-anchor", &"middle")],
             x_name,
         );
-        let (x, y) = (self.left - 44.0, self.top + 0.5 * self.height);
+        let (x, y) = (
+            self.left - 16.0 - 7.8 * longest as f64,
+            self.top + 0.5 * self.height,
+        );
         let turned = format!("translate({} {}) rotate(-90)", n(x), n(y));
         w.text(
             "text",

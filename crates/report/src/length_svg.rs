@@ -58,7 +58,7 @@ pub fn length_svg(curve: &LengthCurve) -> String {
             ("height", &pane_height),
         ],
     );
-    plot.draw_axes(&mut w, "net length d_max (m)", "J");
+    plot.draw_axes(&mut w, "net length d_max (m)", "cost J");
     for (_, class, term) in TERMS.iter().rev() {
         draw_curve(&mut w, curve, &plot, class, *term);
     }
@@ -111,7 +111,7 @@ fn frame_of(curve: &LengthCurve) -> Frame {
     };
     let y = (0.0, if highest > 0.0 { 1.06 * highest } else { 1.0 });
     Frame {
-        left: 72.0,
+        left: 84.0,
         top: 62.0,
         width: 660.0,
         height: 380.0,
