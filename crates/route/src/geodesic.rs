@@ -31,6 +31,8 @@ pub(crate) struct Geodesic<'g> {
     grid: &'g CostGrid,
     source: Point,
     time: Vec<f64>,
+    settled: Vec<bool>,
+    touched: Vec<usize>,
 }
 
 impl CostGrid {
@@ -82,6 +84,30 @@ impl CostGrid {
         ]
     }
 
+    /// Free nodes near a source with their distances. Straight lines there avoid the error of fast marching where the
+    /// front is strongly curved. A source that stands too close to an obstacle starts at the nearest free node.
+    fn around(&self, source: Point) -> Vec<(usize, f64)> {
+        let line = |i: usize| (i, self.node(i).distance(source) * self.cost[i]);
+        let near = self.nodes_within(source, 2.0 * self.pitch);
+        let free: Vec<_> = near
+            .into_iter()
+            .map(line)
+            .filter(|n| n.1.is_finite())
+            .collect();
+        let stands_free = self
+            .corners(source)
+            .iter()
+            .all(|&(i, _)| self.cost[i].is_finite());
+        if stands_free {
+            return free;
+        }
+        let wide = self.nodes_within(source, 4.0 * self.pitch);
+        let all = wide.into_iter().map(line).filter(|n| n.1.is_finite());
+        all.min_by(|a, b| a.1.total_cmp(&b.1).then(a.0.cmp(&b.0)))
+            .into_iter()
+            .collect()
+    }
+
     /// Nodes within `radius` of a point, in index order.
     fn nodes_within(&self, p: Point, radius: f64) -> Vec<usize> {
         let low = (p - self.min - Point::new(radius, radius)) / self.pitch;
@@ -101,37 +127,38 @@ impl CostGrid {
 }
 
 impl<'g> Geodesic<'g> {
+    /// Distances from nowhere yet; one value can march again and again without a new allocation.
+    pub fn new(grid: &'g CostGrid) -> Self {
+        Self {
+            grid,
+            source: grid.min,
+            time: vec![f64::INFINITY; grid.cost.len()],
+            settled: vec![false; grid.cost.len()],
+            touched: Vec::new(),
+        }
+    }
+
     /// Marches from `source` until `stop(node position, T)` says so, or everywhere.
-    pub fn march(
-        grid: &'g CostGrid,
-        source: Point,
-        mut stop: impl FnMut(Point, f64) -> bool,
-    ) -> Self {
-        let n = grid.cost.len();
-        let mut time = vec![f64::INFINITY; n];
-        let mut settled = vec![false; n];
+    pub fn march(&mut self, source: Point, mut stop: impl FnMut(Point, f64) -> bool) {
+        let grid = self.grid;
+        self.source = source;
+        for i in self.touched.drain(..) {
+            self.time[i] = f64::INFINITY;
+            self.settled[i] = false;
+        }
         let mut heap = BinaryHeap::new();
-        // Straight lines near the source avoid the error of fast marching where the front is strongly curved;
-        // the wider ring serves a source that stands close to an obstacle.
-        for ring in [2.0, 4.0] {
-            for i in grid.nodes_within(source, ring * grid.pitch) {
-                if grid.cost[i].is_finite() {
-                    let t = grid.node(i).distance(source) * grid.cost[i];
-                    time[i] = t;
-                    heap.push((Reverse(t.to_bits()), i));
-                }
-            }
-            if !heap.is_empty() {
-                break;
-            }
+        for (i, t) in grid.around(source) {
+            self.time[i] = t;
+            self.touched.push(i);
+            heap.push((Reverse(t.to_bits()), i));
         }
         let (columns, rows) = (grid.columns, grid.rows);
         while let Some((Reverse(bits), i)) = heap.pop() {
             let t = f64::from_bits(bits);
-            if settled[i] || t > time[i] {
+            if self.settled[i] || t > self.time[i] {
                 continue;
             }
-            settled[i] = true;
+            self.settled[i] = true;
             if stop(grid.node(i), t) {
                 break;
             }
@@ -143,22 +170,25 @@ impl<'g> Geodesic<'g> {
                 (row + 1 < rows).then(|| i + columns),
             ];
             for j in neighbors.into_iter().flatten() {
-                if settled[j] || !grid.cost[j].is_finite() {
+                if self.settled[j] || !grid.cost[j].is_finite() {
                     continue;
                 }
-                let new = grid.update(&time, j);
-                if new < time[j] {
-                    time[j] = new;
+                let new = grid.update(&self.time, j);
+                if new < self.time[j] {
+                    if self.time[j].is_infinite() {
+                        self.touched.push(j);
+                    }
+                    self.time[j] = new;
                     heap.push((Reverse(new.to_bits()), j));
                 }
             }
         }
-        for i in 0..n {
-            if !settled[i] {
-                time[i] = f64::INFINITY;
+        // Values that the front has not settled may still be too large.
+        for &i in &self.touched {
+            if !self.settled[i] {
+                self.time[i] = f64::INFINITY;
             }
         }
-        Self { grid, source, time }
     }
 
     /// T at a point, m; infinite when none of the nodes around it was reached.
@@ -262,7 +292,8 @@ mod tests {
         let wall = [4.5, -1.0, 5.5, 5.0];
         let terrain = Terrain::sample(&s, |p| box_distance(p, wall));
         let grid = CostGrid::new(&terrain);
-        let g = Geodesic::march(&grid, Point::new(2.0, 2.0), |_, _| false);
+        let mut g = Geodesic::new(&grid);
+        g.march(Point::new(2.0, 2.0), |_, _| false);
         let open = g.at(Point::new(3.0, 6.0));
         assert!((open / 17f64.sqrt() - 1.0).abs() < 0.03, "{open}");
         // Around the wall's end, somewhat longer than the tight string because of the pair's width.

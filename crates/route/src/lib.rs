@@ -13,6 +13,7 @@ mod error;
 mod geodesic;
 mod order;
 mod polyline;
+mod random;
 mod terrain;
 
 pub use baseline::baseline;

@@ -4,6 +4,7 @@
 
 mod scene_toml;
 
+use pairtrawl_generate::{Kind, generate};
 use pairtrawl_geometry::{Convex, Pose};
 use pairtrawl_route::{baseline, hybrid_a_star, visiting_order};
 use pairtrawl_world::World;
@@ -15,8 +16,25 @@ fn poses(poses: &[Pose]) -> Vec<[f64; 3]> {
 }
 
 fn main() {
-    let path = std::env::args().nth(1).expect("usage: route_json SCENE");
-    let scene = scene_toml::read(&std::fs::read_to_string(path).expect("a readable scene"));
+    let what = std::env::args()
+        .nth(1)
+        .expect("usage: route_json SCENE.toml | KIND:DIFFICULTY:SEED:WAYPOINTS");
+    let mut witness = None;
+    let scene = if what.contains(':') {
+        let parts: Vec<&str> = what.split(':').collect();
+        let kind = if parts[0] == "serpentine" {
+            Kind::Serpentine
+        } else {
+            Kind::Witness
+        };
+        let number = |i: usize| parts[i].parse::<u64>().expect("a number");
+        let made = generate(kind, number(1) as u8, number(2), number(3) as usize)
+            .expect("a generated scene");
+        witness = Some(made.witness);
+        made.scene
+    } else {
+        scene_toml::read(&std::fs::read_to_string(what).expect("a readable scene"))
+    };
     let t0 = Instant::now();
     let world = World::new(&scene, scene.net.length).expect("a world");
     let t1 = Instant::now();
@@ -47,6 +65,7 @@ fn main() {
         "centerline": poses(&centerline),
         "left": poses(&pair.left),
         "right": poses(&pair.right),
+        "witness": witness.map(|w| json!([poses(&w.left), poses(&w.right)])),
         "seconds": {
             "world": (t1 - t0).as_secs_f64(), "order": (t2 - t1).as_secs_f64(),
             "centerline": (t3 - t2).as_secs_f64(), "baseline": (t4 - t3).as_secs_f64(),

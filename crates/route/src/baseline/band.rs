@@ -1,7 +1,7 @@
 //! How far left and right of the centerline the robots drive.
 
 use super::candidates::outer_candidates;
-use crate::centerline::smooth::attach;
+use crate::centerline::attachment::attach;
 use crate::polyline::arc_lengths;
 use crate::terrain::{Disc, Terrain};
 use pairtrawl_geometry::{Point, Pose};
@@ -13,6 +13,8 @@ const SLOPE: f64 = 0.45;
 const PROBE: f64 = 0.02;
 /// Largest product of curvature and inner offset: at 1 the inner robot would stand still.
 const INNER: f64 = 0.85;
+/// Passes of the smoothing of the offsets.
+const ROUNDING: usize = 12;
 /// How far along the centerline an object is looked for around the place where its circle is visited, m.
 const WINDOW: f64 = 0.8;
 
@@ -48,8 +50,11 @@ pub(crate) fn band(
     let mut right = left.clone();
     let mut visits = Vec::new();
     for (circle, &here) in circles.iter().zip(&at) {
-        let near = |i: &usize, reach: f64| (s[*i] - s[here]).abs() <= reach;
-        for i in (0..n).filter(|i| near(i, circle.radius + 0.1)) {
+        let within = |reach: f64| {
+            s.partition_point(|v| *v < s[here] - reach)
+                ..s.partition_point(|v| *v <= s[here] + reach)
+        };
+        for i in within(circle.radius + 0.1) {
             if points[i].distance(circle.center) <= circle.radius {
                 let (outer_left, outer_right) =
                     outer_candidates(centerline[i], circle, pair.half_separation);
@@ -63,8 +68,7 @@ pub(crate) fn band(
             };
             let window = circle.radius + WINDOW;
             let distance = |i: usize| points[i].distance(object.center);
-            let index = (0..n)
-                .filter(|i| near(i, window))
+            let index = within(window)
                 .min_by(|&a, &b| distance(a).total_cmp(&distance(b)))
                 .unwrap_or(here);
             let offset = (object.center - points[index]).dot(centerline[index].forward().perp());
@@ -84,6 +88,14 @@ pub(crate) fn band(
     }
     rise(&s, &mut left);
     rise(&s, &mut right);
+    for i in 0..n {
+        // At both ends the robots stand where the scene says, closer together perhaps than they would drive.
+        for (end, separation) in ends {
+            let most = 0.5 * separation + SLOPE * (s[i] - s[end]).abs();
+            left[i] = left[i].min(most);
+            right[i] = right[i].min(most);
+        }
+    }
     let mut room_left = room(terrain, centerline, 1.0, &left);
     let mut room_right = room(terrain, centerline, -1.0, &right);
     lower(&s, &mut room_left);
@@ -122,10 +134,22 @@ pub(crate) fn band(
         left[i] *= scale;
         right[i] *= scale;
     }
+    round(&mut left);
+    round(&mut right);
     Band {
         left,
         right,
         visits,
+    }
+}
+
+/// Rounds the corners that the slopes leave, over about 0.3 m.
+fn round(v: &mut [f64]) {
+    for _ in 0..ROUNDING {
+        let old = v.to_vec();
+        for (v, w) in v[1..].iter_mut().zip(old.windows(3)) {
+            *v = 0.25 * w[0] + 0.5 * w[1] + 0.25 * w[2];
+        }
     }
 }
 

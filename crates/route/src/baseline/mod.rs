@@ -2,6 +2,8 @@
 
 mod band;
 mod candidates;
+#[cfg(test)]
+mod tests;
 mod timing;
 mod tracks;
 

@@ -2,6 +2,7 @@
 //!
 //! Each iteration refreshes springs and solves one banded system per robot, as in the centerline's smoothing.
 
+use super::SPACING;
 use super::band::Visit;
 use crate::banded::Pentadiagonal;
 use crate::polyline::{arc_lengths, tangents};
@@ -13,14 +14,24 @@ const ITERATIONS: usize = 40;
 /// Bending stiffness, m^2, and tension relative to it.
 const BENDING: f64 = 0.02;
 const TENSION: f64 = 0.1;
+/// Share of the elastic energy that is the displacement's.
+const KEEP_SHAPE: f64 = 0.5;
 /// Inertia, 1/m^2: pulls towards the last position.
 const INERTIA: f64 = 1.0;
 /// Stiffness of the springs against obstacles, objects and bad separations, 1/m^2.
 const KEEP: f64 = 60.0;
 /// Stiffness of the spring that keeps the robots abreast, 1/m^2.
 const ABREAST: f64 = 3.0;
+/// Least progress along the centerline as a share of the midpoint's, and the stiffness of its spring, 1/m^2.
+const LEAST_PROGRESS: f64 = 0.2;
+const PROGRESS: f64 = 200.0;
 /// Kept beyond the margins, so that springs at rest hold them, m.
 const SPARE: f64 = 0.02;
+
+/// Vertices on either side of a visit in which the robots stay on their own sides of the object.
+const WINDOW: usize = 30;
+/// Length over which a track turns into the heading of its end, m.
+const TURN_IN: f64 = 0.6;
 
 /// Both tracks, index by index abreast.
 pub(crate) struct Tracks {
@@ -53,20 +64,21 @@ impl Tracks {
         if n < 7 {
             return;
         }
-        for (track, start, end) in [
+        let ends = [
             (&mut self.left, scene.start.left, scene.end.left),
             (&mut self.right, scene.start.right, scene.end.right),
-        ] {
-            for (at, next, pose, sign) in [(0, 1, start, 1.0), (n - 1, n - 2, end, -1.0)] {
-                let h = track[at].distance(track[next]).max(1e-3);
-                track[next] = pose.position() + pose.forward() * (sign * h);
-            }
+        ];
+        for (track, start, end) in ends {
+            turn_into(track, start.position(), start.forward());
+            track.reverse();
+            turn_into(track, end.position(), -end.forward());
+            track.reverse();
         }
+        let reference = [self.left.clone(), self.right.clone()];
         for _ in 0..ITERATIONS {
-            let springs = self.springs(terrain, centerline, visits);
-            let [left, right] = springs;
-            solve(&mut self.left, &left);
-            solve(&mut self.right, &right);
+            let [left, right] = self.springs(terrain, centerline, visits);
+            solve(&mut self.left, &reference[0], &left);
+            solve(&mut self.right, &reference[1], &right);
         }
     }
 
@@ -115,19 +127,34 @@ impl Tracks {
                 for object in terrain.objects_near(p) {
                     let away = p - object.center;
                     let keep = object.radius + pair.radius + pair.clearance + SPARE;
-                    let visited = visits
-                        .iter()
-                        .any(|v| v.object.center == object.center && i.abs_diff(v.index) < 30);
-                    if !visited && away.norm() < keep && away.norm() > 1e-9 {
-                        springs[side][i].add(KEEP, away * (keep / away.norm() - 1.0));
+                    let distance = away.norm();
+                    if distance >= keep || distance < 1e-9 {
+                        continue;
                     }
+                    let is_visit = |v: &Visit| {
+                        v.object.center == object.center && i.abs_diff(v.index) <= WINDOW
+                    };
+                    if !visits.iter().any(is_visit) {
+                        springs[side][i].add(KEEP, away * (keep / distance - 1.0));
+                    }
+                }
+            }
+        }
+        for i in 0..n - 1 {
+            // Nobody drives backwards.
+            let forward = centerline[i].forward();
+            for (springs, track) in springs.iter_mut().zip([&self.left, &self.right]) {
+                let lag = LEAST_PROGRESS * SPACING - (track[i + 1] - track[i]).dot(forward);
+                if lag > 0.0 {
+                    springs[i].add(PROGRESS, forward * (-0.5 * lag));
+                    springs[i + 1].add(PROGRESS, forward * (0.5 * lag));
                 }
             }
         }
         for visit in visits {
             let normal = centerline[visit.index].forward().perp();
             let keep = visit.object.radius + pair.radius + pair.clearance + SPARE;
-            for i in visit.index.saturating_sub(30)..(visit.index + 31).min(n) {
+            for i in visit.index.saturating_sub(WINDOW)..(visit.index + WINDOW + 1).min(n) {
                 for (side, p, outwards) in [(0, self.left[i], normal), (1, self.right[i], -normal)]
                 {
                     let r = p - visit.object.center;
@@ -147,23 +174,53 @@ impl Tracks {
     }
 }
 
-fn solve(track: &mut [Point], springs: &[Spring]) {
+/// Bends the beginning of a track so that it leaves `at` along `forward`: p += s (1 - s / S)^2 (forward - direction).
+fn turn_into(track: &mut [Point], at: Point, forward: Point) {
+    track[0] = at;
+    let s = arc_lengths(track);
+    let ahead = s.partition_point(|&s| s < 0.15).min(track.len() - 1);
+    let chord = track[ahead] - track[0];
+    if chord.norm() < 1e-9 {
+        return;
+    }
+    let correction = forward - chord / chord.norm();
+    let reach = TURN_IN.min(0.5 * s[track.len() - 1]);
+    for (p, &s) in track.iter_mut().zip(&s).take_while(|(_, s)| **s < reach) {
+        let rest = 1.0 - s / reach;
+        *p += correction * (s * rest * rest);
+    }
+}
+
+/// One step towards the rest of all springs. The elastic energy is partly that of the track's shape, which smooths it,
+/// and partly that of its displacement from the reference, which keeps bends open.
+fn solve(track: &mut [Point], reference: &[Point], springs: &[Spring]) {
     let n = track.len();
-    let h = (arc_lengths(track)[n - 1] / (n - 1) as f64).max(1e-3);
+    let h = SPACING;
     let mut matrix = Pentadiagonal::zeros(n);
+    let mut load = vec![Point::ZERO; n];
+    let mut elastic = |i: usize, c: [f64; 3], weight: f64| {
+        matrix.add(i, c, weight);
+        let mut strain = reference[i] * c[0] + reference[i + 1] * c[1];
+        if c[2] != 0.0 {
+            strain += reference[i + 2] * c[2];
+        }
+        for (k, &c) in c.iter().enumerate().filter(|(_, c)| **c != 0.0) {
+            load[i + k] += strain * (KEEP_SHAPE * weight * c);
+        }
+    };
     for i in 0..n - 1 {
-        matrix.add(i, [-1.0, 1.0, 0.0], TENSION / h);
+        elastic(i, [-1.0, 1.0, 0.0], TENSION / h);
     }
     for i in 0..n - 2 {
-        matrix.add(i, [1.0, -2.0, 1.0], BENDING / h.powi(3));
+        elastic(i, [1.0, -2.0, 1.0], BENDING / h.powi(3));
     }
     let mut x = Vec::with_capacity(n);
     let mut y = Vec::with_capacity(n);
-    for (i, (p, spring)) in track.iter().zip(springs).enumerate() {
+    for (i, spring) in springs.iter().enumerate() {
         let fixed = if i < 2 || i + 2 >= n { 1e9 } else { 0.0 };
         let weight = h * (INERTIA + spring.stiffness) + fixed;
         matrix.diagonal[i] += weight;
-        let target = *p * weight + spring.pull * h;
+        let target = track[i] * weight + spring.pull * h + load[i];
         x.push(target.x);
         y.push(target.y);
     }

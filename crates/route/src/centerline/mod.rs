@@ -1,9 +1,13 @@
 //! The pair's centerline: from the start through all circles to the end.
 
+pub(crate) mod attachment;
 pub(crate) mod corridor;
 pub(crate) mod dubins;
 pub mod hybrid_a_star;
+pub(crate) mod lattice;
 pub(crate) mod smooth;
+#[cfg(test)]
+mod tests;
 
 use crate::RouteError;
 use pairtrawl_geometry::{Point, Pose};
@@ -25,14 +29,6 @@ impl Itinerary {
             goals: order.iter().map(|&i| circles[i].center).collect(),
             end: Pose::at(scene.end.midpoint(), scene.end.normal_heading()),
         })
-    }
-
-    /// All stops: start, circles, end.
-    pub fn stops(&self) -> Vec<Point> {
-        let mut stops = vec![self.start.position()];
-        stops.extend_from_slice(&self.goals);
-        stops.push(self.end.position());
-        stops
     }
 }
 

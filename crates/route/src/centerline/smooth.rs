@@ -4,6 +4,7 @@
 //! with both end poses fixed. Springs are refreshed and one linear system is solved per iteration.
 
 use super::Itinerary;
+use super::attachment::Attachment;
 use crate::banded::Pentadiagonal;
 use crate::polyline::{refine, resample, tangents, with_headings};
 use crate::terrain::Terrain;
@@ -22,7 +23,7 @@ const INERTIA: f64 = 3.0;
 /// Stiffness of the spring at a circle's center, 1/m.
 const GOAL: f64 = 60.0;
 /// Stiffness of the spring that makes room for the robots, 1/m^2.
-const ROOM: f64 = 40.0;
+const ROOM: f64 = 150.0;
 /// Stiffness of the spring that keeps objects well inside or outside of the band, 1/m^2.
 const OBJECT: f64 = 6.0;
 /// How near to a circle's center its spring is at rest, m: exact passage is not worth a sharp bend.
@@ -30,17 +31,22 @@ const GOAL_REST: f64 = 0.07;
 /// Tightest curvature that the band tolerates before it stiffens there, 1/m.
 const CURVATURE: f64 = 1.0 / 0.55;
 /// Factor by which it stiffens in an iteration, and stiffness at most.
-const STIFFEN: f64 = 1.2;
+const STIFFEN: f64 = 1.5;
 const STIFFEST: f64 = 200.0;
 /// Vertices on either side that stiffen along: a bend must not just move to the next vertex.
-const SPREAD: usize = 3;
-/// Curvature at which the spring of a circle nearby yields, 1/m, and how soft it may become: in a sharp corner a circle
-/// is better taken off the middle of the band than by a pair that turns on the spot.
+const SPREAD: usize = 1;
+/// Curvature at which the spring of a circle nearby yields, 1/m, by which factor per iteration, and up to which distance
+/// from the circle's center, m: in a sharp corner a circle is better taken off the middle of the band than by a pair that
+/// turns on the spot.
 const YIELD: f64 = 1.0 / 0.4;
-const SOFTEST: f64 = 0.02;
+const SOFTEN: f64 = 0.85;
+const FARTHEST: f64 = 0.25;
 const ITERATIONS: usize = 80;
+/// Turn within 0.8 m that makes a long bend, rad, and the stiffness that it begins with.
+const LONG_BEND: f64 = 0.8;
+const BEND_STIFFNESS: f64 = 15.0;
 /// Iterations after which the vertices are spread evenly again.
-const REFRESH: usize = 10;
+const REFRESH: usize = 1;
 
 /// A smooth centerline along `raw`, resampled evenly.
 pub(crate) fn smooth(terrain: &Terrain, itinerary: &Itinerary, raw: &[Pose]) -> Vec<Pose> {
@@ -63,6 +69,8 @@ struct Band<'a> {
     points: Vec<Point>,
     /// Bending stiffness at each vertex relative to [`BENDING`].
     stiffness: Vec<f64>,
+    /// Which vertex holds each goal.
+    hold: Attachment<'a>,
     /// Stiffness of the spring at each goal relative to [`GOAL`].
     goals: Vec<f64>,
 }
@@ -75,13 +83,13 @@ impl<'a> Band<'a> {
             itinerary,
             points,
             stiffness: Vec::new(),
+            hold: Attachment::new(&itinerary.goals),
             goals: vec![1.0; itinerary.goals.len()],
         }
     }
 
     /// Spreads the vertices evenly and puts the second and the last but one where the end headings want them.
     fn spread(&mut self) {
-        let before = self.points.len();
         self.points = resample(&self.points, SPACING);
         // Two fixed vertices at both ends and something to move in between.
         while self.points.len() < 6 {
@@ -100,22 +108,37 @@ impl<'a> Band<'a> {
             self.points[1] = self.itinerary.start.position() + self.itinerary.start.forward() * h;
             self.points[n - 2] = self.itinerary.end.position() - self.itinerary.end.forward() * h;
         }
-        // What was stiff stays stiff: the vertices hardly move along the band.
         let old = std::mem::take(&mut self.stiffness);
-        self.stiffness = (0..n)
+        self.stiffness = if old.is_empty() {
+            self.searched_bends()
+        } else {
+            // What was stiff stays stiff: the vertices hardly move along the band.
+            (0..n)
+                .map(|i| old[(i * old.len() / n).min(old.len() - 1)])
+                .collect()
+        };
+    }
+
+    /// Stiffness at first: long bends of the search are there for a reason and must not collapse before they stiffen.
+    fn searched_bends(&self) -> Vec<f64> {
+        let n = self.points.len();
+        let directions = tangents(&self.points);
+        let turn = |i: usize| {
+            let (a, b) = (
+                directions[i.saturating_sub(4)],
+                directions[(i + 4).min(n - 1)],
+            );
+            a.cross(b).atan2(a.dot(b)).abs()
+        };
+        (0..n)
             .map(|i| {
-                if old.len() == before && before > 0 {
-                    old[(i * before / n).min(before - 1)]
+                if turn(i) > LONG_BEND {
+                    BEND_STIFFNESS
                 } else {
                     1.0
                 }
             })
-            .collect();
-    }
-
-    /// The vertex nearest to each goal, in order along the band.
-    fn attachments(&self) -> Vec<usize> {
-        attach(&self.points, &self.itinerary.goals)
+            .collect()
     }
 
     fn relax(&mut self) {
@@ -129,42 +152,49 @@ impl<'a> Band<'a> {
             .map(|w| w[0].distance(w[1]))
             .sum::<f64>()
             / (n - 1) as f64;
-        let attachments = self.attachments();
+        let attachments = self.hold.follow(&self.points);
         let mut matrix = Pentadiagonal::zeros(n);
         for i in 0..n - 1 {
             matrix.add(i, [-1.0, 1.0, 0.0], TENSION / h);
         }
+        let mut x = vec![0.0; n];
+        let mut y = vec![0.0; n];
         for i in 0..n - 2 {
             let [a, b, c] = [self.points[i], self.points[i + 1], self.points[i + 2]];
-            let curvature = (a - b * 2.0 + c).norm() / (h * h);
+            let bend = a - b * 2.0 + c;
+            let curvature = bend.norm() / (h * h);
             if curvature > CURVATURE {
                 for k in i.saturating_sub(SPREAD)..(i + 3 + SPREAD).min(n) {
                     self.stiffness[k] = (self.stiffness[k] * STIFFEN).min(STIFFEST);
                 }
             }
             if curvature > YIELD {
-                for (spring, &at) in self.goals.iter_mut().zip(&attachments) {
-                    if at.abs_diff(i + 1) <= 2 * SPREAD {
-                        *spring = (*spring * 0.85).max(SOFTEST);
+                for (k, &at) in attachments.iter().enumerate() {
+                    let miss = self.points[at].distance(self.itinerary.goals[k]);
+                    if at.abs_diff(i + 1) <= 6 && miss < FARTHEST {
+                        self.goals[k] *= SOFTEN;
                     }
                 }
             }
-            matrix.add(
-                i,
-                [1.0, -2.0, 1.0],
-                BENDING * self.stiffness[i + 1] / h.powi(3),
-            );
+            const DIFFERENCE: [f64; 3] = [1.0, -2.0, 1.0];
+            matrix.add(i, DIFFERENCE, BENDING / h.powi(3));
+            // What is stiffer wants the bend that it has, or the tightest one that is allowed.
+            let weight = BENDING * (self.stiffness[i + 1] - 1.0) / h.powi(3);
+            matrix.add(i, DIFFERENCE, weight);
+            let allowed = bend * (CURVATURE / curvature.max(CURVATURE));
+            for (k, difference) in DIFFERENCE.into_iter().enumerate() {
+                x[i + k] += weight * difference * allowed.x;
+                y[i + k] += weight * difference * allowed.y;
+            }
         }
-        let mut x: Vec<f64> = Vec::with_capacity(n);
-        let mut y: Vec<f64> = Vec::with_capacity(n);
         let directions = tangents(&self.points);
         for i in 0..n {
             let (stiffness, shift) = self.room(self.points[i], directions[i]);
             let weight = h * (INERTIA + stiffness);
             matrix.diagonal[i] += weight;
             let target = self.points[i] * weight + shift * (h * stiffness);
-            x.push(target.x);
-            y.push(target.y);
+            x[i] += target.x;
+            y[i] += target.y;
         }
         for (k, i) in attachments.into_iter().enumerate() {
             let center = self.itinerary.goals[k];
@@ -173,6 +203,9 @@ impl<'a> Band<'a> {
                 + miss
                     * (GOAL_REST / miss.norm().max(GOAL_REST))
                         .min(miss.norm() / miss.norm().max(1e-12));
+            if miss.norm() > FARTHEST {
+                self.goals[k] = (self.goals[k] / SOFTEN).min(1.0);
+            }
             let spring = GOAL * self.goals[k];
             matrix.diagonal[i] += spring;
             x[i] += spring * goal.x;
@@ -232,37 +265,4 @@ impl<'a> Band<'a> {
             (0.0, Point::ZERO)
         }
     }
-}
-
-/// The vertex nearest to each goal with non-decreasing indices: dynamic programming over the squared distances.
-pub(crate) fn attach(points: &[Point], goals: &[Point]) -> Vec<usize> {
-    let n = points.len();
-    if n == 0 {
-        return Vec::new();
-    }
-    // cost[i]: best sum for the goals so far with the last one attached at or before i.
-    let mut cost = vec![0.0; n];
-    let mut choice: Vec<Vec<u32>> = Vec::with_capacity(goals.len());
-    for goal in goals {
-        let mut best = f64::INFINITY;
-        let mut at = 0u32;
-        let mut row = Vec::with_capacity(n);
-        for i in 0..n {
-            let here = cost[i] + (points[i] - *goal).norm_squared();
-            if here < best {
-                best = here;
-                at = i as u32;
-            }
-            cost[i] = best;
-            row.push(at);
-        }
-        choice.push(row);
-    }
-    let mut indices = vec![0; goals.len()];
-    let mut limit = n - 1;
-    for k in (0..goals.len()).rev() {
-        limit = choice[k][limit] as usize;
-        indices[k] = limit;
-    }
-    indices
 }

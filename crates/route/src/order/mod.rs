@@ -6,10 +6,14 @@
 
 mod exact;
 mod local_search;
+mod path;
 mod stops;
+#[cfg(test)]
+mod tests;
 
 use crate::RouteError;
 use crate::geodesic::CostGrid;
+use crate::random::SplitMix;
 use crate::terrain::Terrain;
 use pairtrawl_model::Scene;
 use pairtrawl_world::World;

@@ -1,8 +1,8 @@
 use crate::RouteError;
 use crate::geodesic::{CostGrid, Geodesic};
-use pairtrawl_geometry::{Point, wrap_angle};
+use pairtrawl_geometry::Point;
 use pairtrawl_model::Scene;
-use std::f64::consts::PI;
+use std::f64::consts::{PI, TAU};
 
 /// Radius with which a reversal is priced, m.
 const TURN_RADIUS: f64 = 0.6;
@@ -41,12 +41,19 @@ impl Stops {
             leave: vec![f32::NAN; m * m],
             points,
         };
+        let mut march = Geodesic::new(grid);
         for j in 0..m {
-            stops.march_from(grid, j, if m <= FULL_LIMIT { m } else { NEAR });
+            stops.march_from(&mut march, j, if m <= FULL_LIMIT { m } else { NEAR });
         }
         if m > FULL_LIMIT {
-            stops.connect(grid)?;
+            stops.connect(&mut march)?;
             stops.complete();
+        }
+        // Ways that nobody marched for leave straight.
+        for i in 0..m * m {
+            if stops.leave[i].is_nan() {
+                stops.leave[i] = (stops.points[i % m] - stops.points[i / m]).angle() as f32;
+            }
         }
         for j in 0..m {
             if !stops.length[n * m + j].is_finite() {
@@ -69,7 +76,7 @@ impl Stops {
     }
 
     /// Distances between stop `j` and the `near` ones that the front reaches first.
-    fn march_from(&mut self, grid: &CostGrid, j: usize, near: usize) {
+    fn march_from(&mut self, march: &mut Geodesic, j: usize, near: usize) {
         let m = self.all();
         let source = self.points[j];
         // A front that has passed a stop by a few cells has settled the values around it.
@@ -82,10 +89,13 @@ impl Stops {
         } else {
             1.5 * enough + 2.0
         };
-        let march = Geodesic::march(grid, source, |_, t| t > limit);
+        march.march(source, |_, t| t > limit);
         for i in 0..m {
             if i == j {
                 self.length[i * m + j] = 0.0;
+                continue;
+            }
+            if self.points[i].distance(source) > limit + 1.0 {
                 continue;
             }
             let t = march.at_stop(self.points[i]);
@@ -103,14 +113,14 @@ impl Stops {
     }
 
     /// Links parts of the graph that no near distance joins, by fronts that run until they meet another part.
-    fn connect(&mut self, grid: &CostGrid) -> Result<(), RouteError> {
+    fn connect(&mut self, march: &mut Geodesic) -> Result<(), RouteError> {
         let m = self.all();
         loop {
             let part = self.parts();
             let Some(outside) = (0..m).find(|&i| part[i] != part[m - 2]) else {
                 return Ok(());
             };
-            self.march_from(grid, outside, m);
+            self.march_from(march, outside, m);
             if (0..m).all(|i| part[i] == part[outside] || !self.length[outside * m + i].is_finite())
             {
                 return Err(RouteError::NoPath {
@@ -191,14 +201,9 @@ impl Stops {
         self.length[i * self.all() + j]
     }
 
-    /// Angle in which the way from i to j leaves i; straight when it was not marched for.
+    /// Angle in which the way from i to j leaves i.
     fn leave(&self, i: usize, j: usize) -> f64 {
-        let angle = f64::from(self.leave[i * self.all() + j]);
-        if angle.is_nan() {
-            (self.points[j] - self.points[i]).angle()
-        } else {
-            angle
-        }
+        f64::from(self.leave[i * self.all() + j])
     }
 
     /// Price of turning at `b` on the way from `a` to `c`, m. `Outside` is only ever beside the start or the end.
@@ -211,33 +216,23 @@ impl Stops {
             Place::Stop(c) => self.leave(b, c),
             Place::Outside => self.end_heading,
         };
-        let alpha = wrap_angle(leave - arrive).abs();
+        let alpha = (leave - arrive - TAU * ((leave - arrive) / TAU).round()).abs();
         TURN_RADIUS * alpha.powi(3) / (PI * PI)
     }
 
     /// Cost of a whole order of circles.
     pub fn cost(&self, order: &[usize]) -> f64 {
         let n = self.count();
-        let mut path = Vec::with_capacity(n + 2);
-        path.push(n);
+        let mut path = vec![n];
         path.extend_from_slice(order);
         path.push(n + 1);
-        self.cost_between(&path, 0, path.len() - 1)
-    }
-
-    /// Cost of a path of stops from position `from` to position `to`: the lengths in between and the turns at both and in between.
-    pub fn cost_between(&self, path: &[usize], from: usize, to: usize) -> f64 {
         let place = |k: Option<usize>| {
             k.and_then(|k| path.get(k))
                 .map_or(Place::Outside, |&s| Place::Stop(s))
         };
-        let lengths: f64 = path[from..=to]
-            .windows(2)
-            .map(|w| self.length(w[0], w[1]))
-            .sum();
-        let turns: f64 = (from..=to)
-            .map(|k| self.turn(place(k.checked_sub(1)), path[k], place(Some(k + 1))))
-            .sum();
-        lengths + turns
+        let lengths: f64 = path.windows(2).map(|w| self.length(w[0], w[1])).sum();
+        let turns = (0..path.len())
+            .map(|k| self.turn(place(k.checked_sub(1)), path[k], place(Some(k + 1))));
+        lengths + turns.sum::<f64>()
     }
 }
