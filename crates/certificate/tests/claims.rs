@@ -318,16 +318,45 @@ fn a_line_on_the_border_of_two_blocked_cells_is_in_an_obstacle() {
         rows,
         blocked: vec![false; columns * rows],
     };
-    for cell in [10 * columns + 4, 10 * columns + 5] {
-        map.blocked[cell] = true;
+    // Two cells each: columns 4 and 5 of row 10 meet on x = 1.0, rows 9 and 10 of column 5 on y = 2.0.
+    let upright = (
+        [10 * columns + 4, 10 * columns + 5],
+        [(1.0, 2.4), (1.0, 1.6)],
+    );
+    let level = (
+        [9 * columns + 5, 10 * columns + 5],
+        [(0.6, 2.0), (1.4, 2.0)],
+    );
+    for (cells, [left, right]) in [upright, level] {
+        map.blocked.fill(false);
+        cells.iter().for_each(|&i| map.blocked[i] = true);
+        case.scene.map = Some(map.clone());
+        // The pair stands with its line on that border.
+        case.trajectory.left.fill(Pose::new(left.0, left.1, 0.0));
+        case.trajectory.right.fill(Pose::new(right.0, right.1, 0.0));
+        assert!(!claim(&case, "net_encloses_no_obstacle").holds, "{cells:?}");
     }
-    // The pair stands; its line lies on x = 1.0 between columns 4 and 5.
-    case.scene.map = Some(map);
-    for poses in [&mut case.trajectory.left, &mut case.trajectory.right] {
-        let first = poses[0];
-        poses.iter_mut().for_each(|p| *p = first);
+}
+
+#[test]
+fn robots_stay_in_the_area_on_every_side() {
+    let mut case = straight();
+    let area = case.scene.area;
+    assert!(claim(&case, "inside_area").holds);
+    let sides: [(&str, Point, Point); 4] = [
+        ("left", Point::new(1.1, 0.0), area.max),
+        ("lower", Point::new(0.0, 1.7), area.max),
+        ("right", area.min, Point::new(1.3, 4.0)),
+        ("upper", area.min, Point::new(8.0, 2.3)),
+    ];
+    for (side, min, max) in sides {
+        (case.scene.area.min, case.scene.area.max) = (min, max);
+        let claim = claim(&case, "inside_area");
+        assert!(
+            !claim.holds && (claim.margin + 0.1).abs() < 1e-12 && claim.detail.contains(side),
+            "{claim:?}"
+        );
     }
-    assert!(!claim(&case, "net_encloses_no_obstacle").holds);
 }
 
 #[test]

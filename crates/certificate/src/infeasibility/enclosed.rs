@@ -20,6 +20,8 @@ pub(super) enum Verdict {
 const TOUCH: f64 = 1e-6;
 /// How many times the least distance between robot and object counts as close by.
 const CLOSE_BY: f64 = 4.0;
+/// A sure place is sought among this many of the nearest cells.
+const TRIES: usize = 64;
 /// Walls are looked for as chains of cells once the cells' diagonal is below this, m.
 const FINE: f64 = 0.2;
 /// d_max is at most this many times the separation at the start (claim `separation`).
@@ -48,36 +50,27 @@ pub(super) fn judge(
     let reach = net_length.unwrap_or(longest).min(longest) - keep + CAUTION;
     // Most objects are settled by what is close by.
     let close = View::new(things, center, reach.min(CLOSE_BY * keep));
-    if [0, 1]
+    if reached
+        .surely
         .iter()
-        .all(|&side| close.look(things, space, reached, side) == Sight::Sure)
+        .all(|surely| close.is_sure(things, space, surely))
     {
         return Verdict::Reachable;
     }
     let mut view = View::new(things, center, reach);
-    let mut verdict = Verdict::Reachable;
-    for (side, run) in runs(scene).into_iter().enumerate() {
-        let mut sight = view.look(things, space, reached, side);
-        if sight == Sight::Possible && view.joined.is_none() && space.size().norm() < FINE {
-            view.joined = joined(things, space, center, reach);
-            sight = view.look(things, space, reached, side);
-        }
-        match sight {
-            Sight::None => {
-                return Verdict::Enclosed(proof(
-                    things,
-                    space,
-                    &reached.may[side],
-                    object,
-                    run,
-                    reach,
-                ));
+    for (run, may) in runs(scene).into_iter().zip(&reached.may) {
+        let mut possible = view.is_possible(space, may);
+        if possible && space.size().norm() < FINE {
+            if view.joined.is_none() {
+                view.joined = joined(things, space, center, reach);
             }
-            Sight::Possible => verdict = Verdict::Open,
-            Sight::Sure => {}
+            possible = view.is_possible(space, may);
+        }
+        if !possible {
+            return Verdict::Enclosed(proof(things, space, may, object, run, reach));
         }
     }
-    verdict
+    Verdict::Open
 }
 
 /// What can be seen from an object's center, and how far its half of the line reaches.
@@ -88,14 +81,6 @@ struct View {
     pieces: Vec<Piece>,
     /// The cells that a line may get to, once asked for.
     joined: Option<Vec<bool>>,
-}
-
-/// Whether a robot can stand in sight and in reach.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-enum Sight {
-    None,
-    Possible,
-    Sure,
 }
 
 impl View {
@@ -116,35 +101,31 @@ impl View {
         }
     }
 
-    fn look(
-        &self,
-        things: &Things<'_>,
-        space: &FreeSpace,
-        reached: &Reached,
-        side: usize,
-    ) -> Sight {
-        let mut sight = Sight::None;
-        let joined = self.joined.as_ref();
-        for i in nearest_first(space, &self.near, &reached.may[side], self.center) {
-            let cell = space.bounds(i);
-            if joined.is_some_and(|joined| !joined[i]) {
-                continue;
-            }
-            if cell.distance(&Bounds::of(&[self.center])) > self.reach {
-                continue;
-            }
-            let place = space.center(i);
-            if reached.surely[side][i]
-                && place.distance(self.center) < self.reach
-                && is_clear(things, self.center, place)
-            {
-                return Sight::Sure;
-            }
-            if sight == Sight::None && self.hiding(&cell).is_none() {
-                sight = Sight::Possible;
-            }
-        }
-        sight
+    /// True when some cell nearby is surely reached and surely in sight.
+    fn is_sure(&self, things: &Things<'_>, space: &FreeSpace, surely: &[bool]) -> bool {
+        let away = |i: usize| space.center(i).distance(self.center);
+        let mut cells: Vec<usize> = space
+            .cells_near(&self.near)
+            .filter(|&i| surely[i])
+            .collect();
+        cells.sort_by(|&i, &j| away(i).total_cmp(&away(j)).then(i.cmp(&j)));
+        let within = cells.into_iter().filter(|&i| away(i) < self.reach);
+        within
+            .take(TRIES)
+            .any(|i| is_clear(things, self.center, space.center(i)))
+    }
+
+    /// True when some cell may be reached and in sight.
+    fn is_possible(&self, space: &FreeSpace, may: &[bool]) -> bool {
+        let at = Bounds::of(&[self.center]);
+        let joined = |i: usize| self.joined.as_ref().is_none_or(|joined| joined[i]);
+        space
+            .cells_near(&self.near)
+            .filter(|&i| may[i] && joined(i))
+            .any(|i| {
+                let cell = space.bounds(i);
+                cell.distance(&at) <= self.reach && self.hiding(&cell).is_none()
+            })
     }
 
     /// A piece that hides the whole cell from the center.
@@ -157,19 +138,6 @@ impl View {
                 .all(|&corner| piece.cuts(self.center, corner))
         })
     }
-}
-
-/// The reached cells that a box meets, by the distance of their centers from a point, so that searches end early.
-fn nearest_first(space: &FreeSpace, near: &Bounds, reached: &[bool], center: Point) -> Vec<usize> {
-    let mut cells: Vec<usize> = space.cells_near(near).filter(|&i| reached[i]).collect();
-    cells.sort_by(|&i, &j| {
-        space
-            .center(i)
-            .distance(center)
-            .total_cmp(&space.center(j).distance(center))
-            .then(i.cmp(&j))
-    });
-    cells
 }
 
 /// True when a line between the points enters no obstacle. (Pieces do not tell: their seams are no way through.)

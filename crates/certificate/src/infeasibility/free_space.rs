@@ -8,6 +8,8 @@ const COARSEST: f64 = 0.4;
 const FINEST: f64 = 0.005;
 /// ... nor more than this many: what is still open then stays unproven.
 const MOST_CELLS: usize = 2_000_000;
+/// Below this diagonal a robot that stands in a mixed cell is taken to get to its neighbors, m.
+const FINE: f64 = 0.08;
 /// Distances this close to the radius leave a cell undecided, m: rounding and the tolerance of the claims.
 const CLOSE: f64 = 1e-6;
 
@@ -176,13 +178,15 @@ impl FreeSpace {
     }
 
     /// The cells joined to `from` by cells that pass; neighbors share a corner or, if `by_sides`, a side.
-    fn flood(&self, from: usize, by_sides: bool, passes: impl Fn(Cell) -> bool) -> Vec<bool> {
+    fn flood(
+        &self,
+        from: impl Iterator<Item = usize>,
+        by_sides: bool,
+        passes: impl Fn(Cell) -> bool,
+    ) -> Vec<bool> {
         let mut reached = vec![false; self.cells.len()];
-        if !passes(self.cells[from]) {
-            return reached;
-        }
-        reached[from] = true;
-        let mut front = vec![from];
+        let mut front: Vec<usize> = from.filter(|&i| passes(self.cells[i])).collect();
+        front.iter().for_each(|&i| reached[i] = true);
         while let Some(i) = front.pop() {
             let (column, row) = (i % self.columns, i / self.columns);
             for j in self.neighbors(i) {
@@ -194,6 +198,14 @@ impl FreeSpace {
             }
         }
         reached
+    }
+
+    /// The cell of a point and, on fine grids, those around it: a robot that starts or ends beside an obstacle stands in
+    /// a mixed cell on every grid. What is sure only ends the search, so that this cannot make a proof false.
+    fn at(&self, p: Point) -> impl Iterator<Item = usize> + use<> {
+        let own = self.index(p);
+        let fine = self.size.norm() < FINE;
+        self.neighbors(own).filter(move |&i| fine || i == own)
     }
 
     /// Where the robots get from their starts; `None` when one of their ends lies in a surely blocked cell, which makes
@@ -208,8 +220,11 @@ impl FreeSpace {
             return None;
         }
         Some(Reached {
-            may: runs.map(|run| self.flood(self.index(run.start), false, |c| c != Cell::Blocked)),
-            surely: runs.map(|run| self.flood(self.index(run.start), true, |c| c == Cell::Free)),
+            may: runs.map(|run| {
+                let own = std::iter::once(self.index(run.start));
+                self.flood(own, false, |c| c != Cell::Blocked)
+            }),
+            surely: runs.map(|run| self.flood(self.at(run.start), true, |c| c == Cell::Free)),
         })
     }
 }
@@ -228,6 +243,6 @@ impl Reached {
         runs(scene)
             .into_iter()
             .zip(&self.surely)
-            .all(|(run, surely)| surely[space.index(run.end)])
+            .all(|(run, surely)| space.at(run.end).any(|i| surely[i]))
     }
 }

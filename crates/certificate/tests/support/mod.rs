@@ -4,6 +4,7 @@
 
 pub mod brute;
 pub mod build;
+pub mod furnish;
 pub mod random;
 
 use pairtrawl_geometry::{Point, Pose};
