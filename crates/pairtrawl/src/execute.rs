@@ -3,26 +3,28 @@
 mod collector;
 mod control_loop;
 mod error;
+mod file;
 mod monte_carlo;
 mod observer;
 mod options;
 mod plant;
+mod recording;
 mod reduced_run;
 mod sensing;
 mod statistics;
-mod summary;
 mod trial;
 
 pub use control_loop::{PairLoop, Truth};
 pub use error::ExecutionError;
+pub use file::{execution_json, write_execution};
 pub use monte_carlo::{GrowingDrag, MonteCarlo, MonteCarloOptions, MonteCarloRow, monte_carlo};
 pub use observer::ExecutionObserver;
 pub use options::{ExecutionOptions, NominalInertia, controller_parameters};
 pub use plant::{Drag, PlantParameters, ReducedPlant};
+pub use recording::{WriteRecordingError, recording, write_recording};
 pub use reduced_run::{ReducedOutcome, ReducedRun};
 pub use sensing::{Normal, Sensing, Sensors, TORQUE_PERIOD, TRACKER_TICKS};
 pub use statistics::{mixed_seed, quantile};
-pub use summary::summarize_execution;
 
 use crate::reference::{Reference, ReferenceLimits};
 use pairtrawl_model::{Execution, PairTrajectory, Plan, Scene, Trial};

@@ -1,0 +1,74 @@
+//! A trial as a rosbag2 folder.
+
+use crate::files::{FileError, write_atomically};
+use pairtrawl_model::{PairTrajectory, Scene, Trial};
+use pairtrawl_report::mcap::{
+    RECORDING_NAME, RecordedMap, Recording, RecordingError, RecordingFiles, record,
+};
+use pairtrawl_world::{Cell, World, WorldError};
+use std::path::Path;
+
+/// Why a recording cannot be written.
+#[derive(Debug, thiserror::Error)]
+pub enum WriteRecordingError {
+    /// The scene's grid cannot be built.
+    #[error(transparent)]
+    World(#[from] WorldError),
+    /// A message cannot be encoded.
+    #[error(transparent)]
+    Recording(#[from] RecordingError),
+    /// A file cannot be written (exit code 8).
+    #[error(transparent)]
+    File(#[from] FileError),
+}
+
+/// Renders `run.mcap` and `metadata.yaml` of a trial.
+///
+/// # Errors
+/// When the scene's grid cannot be built or a message not encoded.
+pub fn recording(
+    scene: &Scene,
+    net_length: f64,
+    plan: &PairTrajectory,
+    trial: &Trial,
+) -> Result<RecordingFiles, WriteRecordingError> {
+    let grid = World::new(scene, Some(net_length))?.grid;
+    let map = RecordedMap {
+        origin: grid.origin,
+        resolution: grid.resolution,
+        columns: grid.columns,
+        rows: grid.rows,
+        cells: grid
+            .cells
+            .iter()
+            .map(|c| if *c == Cell::Obstacle { 100 } else { 0 })
+            .collect(),
+    };
+    let net_thickness = scene.physics.net_thickness;
+    Ok(record(&Recording {
+        plan,
+        trial,
+        objects: &scene.objects,
+        net_thickness,
+        map,
+    })?)
+}
+
+/// Writes `run.mcap` and `metadata.yaml` of a trial into a folder that exists: the folder is then a rosbag2.
+///
+/// # Errors
+/// As [`recording`], and when the system refuses.
+pub fn write_recording(
+    folder: &Path,
+    scene: &Scene,
+    net_length: f64,
+    plan: &PairTrajectory,
+    trial: &Trial,
+) -> Result<(), WriteRecordingError> {
+    let files = recording(scene, net_length, plan, trial)?;
+    write_atomically(&folder.join(RECORDING_NAME), &files.mcap)?;
+    Ok(write_atomically(
+        &folder.join("metadata.yaml"),
+        files.metadata.as_bytes(),
+    )?)
+}
