@@ -13,6 +13,8 @@ const SLOPE: f64 = 0.45;
 const PROBE: f64 = 0.02;
 /// Largest product of curvature and inner offset: at 1 the inner robot would stand still.
 const INNER: f64 = 0.85;
+/// Length over which the offsets go over into those of the scene's ends, m.
+const END_BLEND: f64 = 1.0;
 /// Passes of the smoothing of the offsets.
 const ROUNDING: usize = 12;
 /// How far along the centerline an object is looked for around the place where its circle is visited, m.
@@ -78,24 +80,8 @@ pub(crate) fn band(
             visits.push(Visit { object, index });
         }
     }
-    let ends = [
-        (0, scene.start.separation()),
-        (n - 1, scene.end.separation()),
-    ];
-    for (i, separation) in ends {
-        left[i] = left[i].max(0.5 * separation);
-        right[i] = right[i].max(0.5 * separation);
-    }
     rise(&s, &mut left);
     rise(&s, &mut right);
-    for i in 0..n {
-        // At both ends the robots stand where the scene says, closer together perhaps than they would drive.
-        for (end, separation) in ends {
-            let most = 0.5 * separation + SLOPE * (s[i] - s[end]).abs();
-            left[i] = left[i].min(most);
-            right[i] = right[i].min(most);
-        }
-    }
     let mut room_left = room(terrain, centerline, 1.0, &left);
     let mut room_right = room(terrain, centerline, -1.0, &right);
     lower(&s, &mut room_left);
@@ -136,6 +122,19 @@ pub(crate) fn band(
     }
     round(&mut left);
     round(&mut right);
+    for (end, separation) in [
+        (0, scene.start.separation()),
+        (n - 1, scene.end.separation()),
+    ] {
+        let half = 0.5 * separation;
+        for i in 0..n {
+            // Level at the end itself, so that the robots leave and arrive side by side.
+            let t = 1.0 - ((s[i] - s[end]).abs() / END_BLEND).min(1.0);
+            let share = t * t * (3.0 - 2.0 * t);
+            left[i] += share * (half - left[i]);
+            right[i] += share * (half - right[i]);
+        }
+    }
     Band {
         left,
         right,
