@@ -6,17 +6,21 @@ use pairtrawl_geometry::{Point, Pose, wrap_angle};
 use pairtrawl_model::{Footprint, Object, PairTrajectory, Scene, Side};
 use std::fmt::Write;
 
-/// Radius of the little spheres on which links and objects stand, m.
+/// Radius of the feet, m.
 const FOOT: f64 = 0.003;
+/// Share of a body's mass in all its feet; they press with the weight of all of it.
+const FOOT_SHARE: f64 = 1.0 / 6.0;
 /// Height of the objects, m.
 const OBJECT_HEIGHT: f64 = 0.05;
 
 /// The run as a `MuJoCo` model (MJCF) with a keyframe `start`: robots at the trajectory's first poses, the net as it lies then.
 ///
 /// A robot is a planar body (joints `left_x`, `left_y`, `left_heading`) with one velocity actuator a joint; the plan itself is in
-/// the model's custom numbers `plan_left`, `plan_right` (x y heading ...) and `plan_step_time`. Each link slides vertically
-/// against its neighbors, so that it stands on the floor with its own weight; feet and walls are separate geoms, so that
-/// friction with the floor and friction between bodies can differ.
+/// the model's custom numbers `plan_left`, `plan_right` (x y heading ...) and `plan_step_time`.
+///
+/// Links and objects are planar bodies too; each stands on feet that alone can move up and down and press on the floor with
+/// its weight. As free bodies they would hop by micrometers, and contacts between them would spend friction on
+/// up and down: a cube that an oblique wall pushes at 8 degrees, which must stick at mu = 0.2, then slips by 4 cm in 5 s.
 ///
 /// # Errors
 /// When scene, net length or trajectory cannot be simulated.
@@ -60,7 +64,7 @@ fn write_model(
     ] {
         writeln!(
             out,
-            "    <default class=\"{name}\"><geom type=\"sphere\" size=\"{FOOT}\" contype=\"4\" conaffinity=\"0\" condim=\"3\" mass=\"0\" friction=\"{} 0.001 0.0001\" solref=\"0.004 1\" rgba=\"0 0 0 0\"/></default>",
+            "    <default class=\"{name}\"><geom type=\"sphere\" size=\"{FOOT}\" contype=\"4\" conaffinity=\"0\" condim=\"3\" mass=\"0\" friction=\"{} 0.001 0.0001\" solref=\"0.02 1\" priority=\"1\" rgba=\"0 0 0 0\"/></default>",
             number(friction)
         )?;
     }
@@ -79,7 +83,7 @@ fn write_model(
     write_robot(out, layout, Side::Left)?;
     write_robot(out, layout, Side::Right)?;
     for (i, object) in scene.objects.iter().enumerate() {
-        write_object(out, i, object)?;
+        write_object(out, i, object, physics.gravity)?;
     }
     writeln!(out, "  </worldbody>")?;
     writeln!(out, "  <equality>")?;
@@ -196,27 +200,11 @@ fn write_robot(out: &mut String, layout: &Layout, side: Side) -> std::fmt::Resul
     match side {
         Side::Left => write_link(out, layout, 0, Point::new(-hitch, 0.0))?,
         Side::Right => {
-            // A ring that slides up and down: the hitch carries no weight.
             writeln!(
                 out,
-                "      <body name=\"right_hitch\" pos=\"{}\">",
+                "      <site name=\"right_ring\" pos=\"{}\"/>",
                 numbers([-hitch, 0.0, 0.0])
             )?;
-            writeln!(
-                out,
-                "        <joint name=\"right_ring_z\" type=\"slide\" axis=\"0 0 1\"/>"
-            )?;
-            writeln!(
-                out,
-                "        <inertial pos=\"0 0 0.01\" mass=\"0.0001\" diaginertia=\"1e-7 1e-7 1e-7\"/>"
-            )?;
-            writeln!(
-                out,
-                "        <geom class=\"net_foot\" pos=\"{}\" friction=\"0 0 0\"/>",
-                numbers([0.0, 0.0, FOOT])
-            )?;
-            writeln!(out, "        <site name=\"right_ring\"/>")?;
-            writeln!(out, "      </body>")?;
         }
     }
     writeln!(out, "    </body>")
@@ -228,8 +216,9 @@ fn write_link(out: &mut String, layout: &Layout, index: usize, place: Point) -> 
     let physics = &parameters.physics;
     let (length, mass) = (parameters.link_length, parameters.link_mass);
     let (thickness, height) = (physics.net_thickness, physics.net_height);
-    let yaw = mass * (length * length + thickness * thickness) / 12.0;
-    let pitch = mass * (length * length + height * height) / 12.0;
+    // Feet at both ends carry a part of the mass, and of the moment of inertia.
+    let yaw = mass * (length * length + thickness * thickness) / 12.0
+        - FOOT_SHARE * mass * 0.25 * length * length;
     writeln!(
         out,
         "<body name=\"link_{index}\" pos=\"{}\">",
@@ -237,15 +226,15 @@ fn write_link(out: &mut String, layout: &Layout, index: usize, place: Point) -> 
     )?;
     writeln!(
         out,
-        "<joint name=\"hinge_{index}\" type=\"hinge\" axis=\"0 0 1\" damping=\"{}\"/><joint name=\"link_{index}_z\" type=\"slide\" axis=\"0 0 1\"/>",
+        "<joint name=\"hinge_{index}\" type=\"hinge\" axis=\"0 0 1\" damping=\"{}\"/>",
         number(physics.hinge_damping)
     )?;
     writeln!(
         out,
         "<inertial pos=\"{}\" mass=\"{}\" diaginertia=\"{}\"/>",
         numbers([0.5 * length, 0.0, 0.5 * height]),
-        number(mass),
-        format_args!("{pitch:e} {pitch:e} {yaw:e}")
+        number(mass * (1.0 - FOOT_SHARE)),
+        format_args!("{yaw:e} {yaw:e} {yaw:e}")
     )?;
     writeln!(
         out,
@@ -253,12 +242,14 @@ fn write_link(out: &mut String, layout: &Layout, index: usize, place: Point) -> 
         numbers([0.5 * length, 0.0, 0.5 * height]),
         numbers([0.5 * length, 0.5 * thickness, 0.5 * height])
     )?;
-    for x in [0.0, length] {
-        writeln!(
-            out,
-            "<geom class=\"net_foot\" pos=\"{}\"/>",
-            numbers([x, 0.0, FOOT])
-        )?;
+    for (end, x) in [("head", 0.0), ("tail", length)] {
+        let foot = Foot {
+            place: Point::new(x, 0.0),
+            mass: 0.5 * mass,
+            gravity: physics.gravity,
+            class: "net_foot",
+        };
+        write_foot(out, &format!("link_{index}_{end}"), &foot)?;
     }
     if index + 1 < layout.links.len() {
         write_link(out, layout, index + 1, Point::new(length, 0.0))?;
@@ -272,7 +263,7 @@ fn write_link(out: &mut String, layout: &Layout, index: usize, place: Point) -> 
     writeln!(out, "</body>")
 }
 
-fn write_object(out: &mut String, index: usize, object: &Object) -> std::fmt::Result {
+fn write_object(out: &mut String, index: usize, object: &Object, gravity: f64) -> std::fmt::Result {
     let half_height = 0.5 * OBJECT_HEIGHT;
     let mass = object.mass;
     let (shape, size, yaw, foot) = match object.footprint {
@@ -295,37 +286,66 @@ fn write_object(out: &mut String, index: usize, object: &Object) -> std::fmt::Re
             )
         }
     };
-    let place = object.position;
-    writeln!(
-        out,
-        "    <body name=\"object_{index}\" pos=\"{}\">",
-        numbers([place.x, place.y, 0.0])
-    )?;
-    writeln!(out, "      <freejoint/>")?;
+    let yaw = yaw - FOOT_SHARE * mass * foot.norm_squared();
+    writeln!(out, "    <body name=\"object_{index}\">")?;
+    for (joint, kind, axis) in [
+        ("x", "slide", "1 0 0"),
+        ("y", "slide", "0 1 0"),
+        ("heading", "hinge", "0 0 1"),
+    ] {
+        writeln!(
+            out,
+            "      <joint name=\"object_{index}_{joint}\" type=\"{kind}\" axis=\"{axis}\"/>"
+        )?;
+    }
     writeln!(
         out,
         "      <inertial pos=\"{}\" mass=\"{}\" diaginertia=\"{yaw:e} {yaw:e} {yaw:e}\"/>",
         numbers([0.0, 0.0, half_height]),
-        number(mass)
+        number(mass * (1.0 - FOOT_SHARE))
     )?;
     writeln!(
         out,
         "      <geom class=\"solid\" type=\"{shape}\" pos=\"{}\" size=\"{size}\" rgba=\"0.7 0.1 0.1 1\"/>",
         numbers([0.0, 0.0, half_height])
     )?;
-    for (x, y) in [
-        (foot.x, foot.y),
-        (-foot.x, foot.y),
-        (-foot.x, -foot.y),
-        (foot.x, -foot.y),
-    ] {
-        writeln!(
-            out,
-            "      <geom class=\"object_foot\" pos=\"{}\"/>",
-            numbers([x, y, FOOT])
-        )?;
+    for (i, (x, y)) in [(1.0, 1.0), (-1.0, 1.0), (-1.0, -1.0), (1.0, -1.0)]
+        .into_iter()
+        .enumerate()
+    {
+        let place = Point::new(x * foot.x, y * foot.y);
+        let foot = Foot {
+            place,
+            mass: 0.25 * mass,
+            gravity,
+            class: "object_foot",
+        };
+        write_foot(out, &format!("object_{index}_{i}"), &foot)?;
     }
     writeln!(out, "    </body>")
+}
+
+/// A foot: a point of a body where it stands.
+struct Foot {
+    place: Point,
+    /// Mass that stands on it, kg.
+    mass: f64,
+    /// m/s^2.
+    gravity: f64,
+    class: &'static str,
+}
+
+/// Writes a foot. It has but a part of the mass that stands on it; a long soft spring presses it down with the rest of the
+/// weight.
+fn write_foot(out: &mut String, name: &str, foot: &Foot) -> std::fmt::Result {
+    let weight = foot.mass * (1.0 - FOOT_SHARE) * foot.gravity;
+    writeln!(
+        out,
+        "<body name=\"foot_{name}\" pos=\"{}\"><joint name=\"foot_{name}\" type=\"slide\" axis=\"0 0 1\" stiffness=\"{weight:e}\" springref=\"-1\"/><inertial pos=\"0 0 0\" mass=\"{}\" diaginertia=\"1e-9 1e-9 1e-9\"/><geom class=\"{}\"/></body>",
+        numbers([foot.place.x, foot.place.y, FOOT]),
+        number(foot.mass * FOOT_SHARE),
+        foot.class
+    )
 }
 
 fn write_plan(out: &mut String, trajectory: &PairTrajectory) -> std::fmt::Result {
@@ -360,17 +380,18 @@ fn start(scene: &Scene, layout: &Layout) -> String {
     let [left, right] = layout.robots;
     let mut q = vec![numbers([left.x, left.y, left.heading])];
     let mut before = left.heading;
+    // A body's own joints come first, then its feet's, then the next link's.
     for link in &layout.links {
-        q.push(numbers([wrap_angle(link.heading - before), 0.0]));
+        q.push(numbers([wrap_angle(link.heading - before), 0.0, 0.0]));
         before = link.heading;
     }
-    q.push(numbers([right.x, right.y, right.heading, 0.0]));
+    q.push(numbers([right.x, right.y, right.heading]));
     for object in &scene.objects {
         q.push(numbers([
             object.position.x,
             object.position.y,
             0.0,
-            1.0,
+            0.0,
             0.0,
             0.0,
             0.0,
