@@ -1,7 +1,7 @@
 //! Exact, continuous proof that a plan holds every claim.
 //!
 //! [`certify`] re-derives each claim of the file format from the scene and the two trajectories alone: it knows neither
-//! grid nor distance field nor optimiser, so that one bug cannot make both a plan and its proof wrong. Between waypoints
+//! grid nor distance field nor optimizer, so that one bug cannot make both a plan and its proof wrong. Between waypoints
 //! positions and headings are linear in time, and every claim is decided for all instants, not for samples:
 //!
 //! - robots against obstacles and objects: exact distances of segments from polygons, discs and map cells;

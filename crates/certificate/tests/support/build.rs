@@ -90,3 +90,16 @@ pub fn drive(scene: &Scene, legs: &[Leg], net_length: f64) -> Case {
         trajectory,
     }
 }
+
+/// Ten steps of 4 cm along +x around y = 2, robots at y = 2.4 and y = 1.6, a net of 1.5 m.
+pub fn straight() -> Case {
+    drive(
+        &hall(8.0, 4.0, 2.0, 5.0),
+        &[Leg {
+            steps: 10,
+            forward: 0.04,
+            turn: 0.0,
+        }],
+        1.5,
+    )
+}

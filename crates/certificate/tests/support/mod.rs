@@ -3,13 +3,15 @@
 #![allow(dead_code, reason = "each test file uses a part of this module")]
 
 pub mod brute;
+pub mod brute_shapes;
 pub mod build;
 pub mod furnish;
 pub mod random;
 
+use pairtrawl_certificate::certify;
 use pairtrawl_geometry::{Point, Pose};
 use pairtrawl_model::{
-    Area, Footprint, NetSpec, Object, Obstacle, PairPose, PairTrajectory, PhysicsParameters,
+    Area, Claim, Footprint, NetSpec, Object, Obstacle, PairPose, PairTrajectory, PhysicsParameters,
     PlannerParameters, Robot, Scene,
 };
 use serde_json::Value;
@@ -20,6 +22,16 @@ pub struct Case {
     pub scene: Scene,
     pub net_length: f64,
     pub trajectory: PairTrajectory,
+}
+
+/// One claim of a case's certificate.
+pub fn claim(case: &Case, name: &str) -> Claim {
+    let certificate = certify(&case.scene, case.net_length, &case.trajectory);
+    certificate
+        .claims
+        .into_iter()
+        .find(|c| c.name == name)
+        .expect("a known claim")
 }
 
 /// `tests/data/witness-<n>.json`.
