@@ -23,7 +23,8 @@
 //!    inside the obstacle nothing is swept. Robots that drive forward and abreast sweep every point in the same sense,
 //!    so a point that is passed over has a winding number other than zero: the object is not swept. Abreast has to hold
 //!    with room for a step's turn, so the proof is used only while max_skew + max_turn / 2 + 2 asin(max_step /
-//!    separation) is below a right angle, and only when start and end are more than one step apart.
+//!    separation) is below a right angle, and only when start and end are more than one step apart. An object that
+//!    reaches an obstacle through a chain of close objects needs no argument of its own: the last one is pinned.
 
 mod enclosed;
 mod free_space;

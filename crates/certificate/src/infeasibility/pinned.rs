@@ -31,8 +31,9 @@ pub(super) fn prove(things: &Things<'_>) -> Option<Proof> {
                 kind: ProofKind::ObjectPinned { object: i, gap },
                 message: format!(
                     "object {i} at ({x:.3}, {y:.3}) cannot be swept: {} between its footprint circle and {part}, where a \
-                     robot needs {wide:.3} m to pass, so both robots pass on the same side of it; move the object at \
-                     least {:.3} m away from the obstacle",
+                     robot needs {wide:.3} m to pass, so both robots pass on the same side of it, and the line between \
+                     them passes there neither at the start nor at the end; move the object at least {:.3} m away \
+                     from the obstacle",
                     if gap > 0.0 { format!("there is only {gap:.3} m") } else { "there is no room".to_owned() },
                     rounded_up(wide - gap),
                 ),
