@@ -38,3 +38,11 @@ pub fn while_writing<T>(write: impl FnOnce() -> T) -> T {
         .unwrap_or_else(|poisoned| poisoned.into_inner());
     write()
 }
+
+/// Does long work that asks [`requested`] and keeps its finished parts: here the first Ctrl-C is a request.
+pub fn gracefully<T>(work: impl FnOnce() -> T) -> T {
+    GRACEFUL.store(true, Ordering::SeqCst);
+    let result = work();
+    GRACEFUL.store(false, Ordering::SeqCst);
+    result
+}

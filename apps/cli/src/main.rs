@@ -7,6 +7,7 @@ mod interrupt;
 mod output;
 mod progress;
 mod summary_text;
+mod trials;
 
 use arguments::{Arguments, Command};
 use clap::Parser;
@@ -21,6 +22,9 @@ fn main() {
         Command::Check(check) => commands::check(check),
         Command::Demo(demo) => commands::demo(demo),
         Command::Rehearse(rehearse) => commands::rehearse(rehearse),
+        Command::Run(run) => commands::run(run),
+        Command::MonteCarlo(monte_carlo) => commands::monte_carlo(monte_carlo),
+        Command::Export(export) => commands::export(export),
         Command::Length(length) => commands::length(length),
         Command::Generate(generate) => commands::generate(generate),
         Command::New(new) => commands::new(new),

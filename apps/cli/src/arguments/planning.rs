@@ -1,0 +1,72 @@
+use super::values::{parse_net_length, parse_seconds};
+use clap::{Args, ValueEnum};
+
+/// How to plan: the options that `plan` and `demo` share.
+#[derive(Clone, Debug, Args)]
+pub struct PlanningArguments {
+    /// Length of the net in metres instead of the scene's, or `auto`: the planner chooses it
+    #[arg(long, value_name = "L|auto", value_parser = parse_net_length)]
+    pub net_length: Option<pairtrawl::NetLength>,
+
+    /// Number of waypoints N instead of one that follows from the path length
+    #[arg(long, value_name = "N", value_parser = clap::value_parser!(u32).range(3..=1_000_000))]
+    pub waypoints: Option<u32>,
+
+    /// Visiting order: the scene's own, or the shortest
+    #[arg(long, value_enum, default_value_t = Order::Shortest)]
+    pub order: Order,
+
+    /// Seed of whatever is random; planning with hybrid A* is not
+    #[arg(long, value_name = "S", default_value_t = 0)]
+    pub seed: u64,
+
+    /// Give up after so many seconds (exit 5, no plan is written)
+    #[arg(long, value_name = "S", value_parser = parse_seconds)]
+    pub time_limit: Option<f64>,
+
+    /// Do not rehearse the plan in physics
+    #[arg(long, conflicts_with = "require_rehearsal")]
+    pub no_rehearsal: bool,
+
+    /// Refuse a plan whose rehearsal fails (exit 5)
+    #[arg(long)]
+    pub require_rehearsal: bool,
+}
+
+/// Visiting orders.
+#[derive(Clone, Copy, Debug, ValueEnum)]
+pub enum Order {
+    /// As the objects stand in the scene
+    Given,
+    /// The shortest open path
+    Shortest,
+}
+
+impl PlanningArguments {
+    /// The same, as the library takes it.
+    pub fn options(&self) -> pairtrawl::PlanOptions {
+        use pairtrawl::RehearsalMode;
+        pairtrawl::PlanOptions {
+            net_length: self.net_length,
+            waypoints: self.waypoints.map(|n| n as usize),
+            order: self.order.into(),
+            seed: self.seed,
+            time_limit: self.time_limit.map(std::time::Duration::from_secs_f64),
+            rehearsal: match (self.no_rehearsal, self.require_rehearsal) {
+                (true, _) => RehearsalMode::Skip,
+                (false, true) => RehearsalMode::Require,
+                (false, false) => RehearsalMode::Report,
+            },
+            ..pairtrawl::PlanOptions::default()
+        }
+    }
+}
+
+impl From<Order> for pairtrawl::OrderMethod {
+    fn from(order: Order) -> Self {
+        match order {
+            Order::Given => Self::Given,
+            Order::Shortest => Self::Shortest,
+        }
+    }
+}

@@ -1,0 +1,43 @@
+use crate::check::{Candidate, check};
+use crate::files::PlanFile;
+use pairtrawl_model::{
+    PairTrajectory, Plan, Rehearsal, Scene, SceneReference, SolverReport, SolverStatus,
+};
+use pairtrawl_trajopt::evaluate;
+
+/// A plan from a file, perhaps one made elsewhere, with its cost evaluated and every claim derived again. Its certificate
+/// need not hold; how it was found is not known.
+pub fn judge(scene: &Scene, reference: &SceneReference, file: &PlanFile) -> Plan {
+    let trajectory = file.trajectory(scene);
+    let candidate = Candidate {
+        net_length: file.net_length,
+        trajectory: &trajectory,
+        scene: file.scene.as_ref(),
+        overrides: &file.overrides,
+    };
+    let (left, right) = file.baseline.clone().unwrap_or_default();
+    Plan {
+        net_length: file.net_length,
+        cost: evaluate(scene, &trajectory, file.net_length),
+        certificate: check(scene, reference, &candidate),
+        scene: reference.clone(),
+        overrides: file.overrides,
+        centerline: file.centerline.clone(),
+        baseline: PairTrajectory {
+            left,
+            right,
+            step_time: trajectory.step_time,
+        },
+        circles: file.circles.clone(),
+        order: file.order.clone(),
+        rehearsal: Rehearsal::Skipped,
+        solver: SolverReport {
+            status: SolverStatus::NotStated,
+            iterations: 0,
+            kkt_error: f64::NAN,
+            seconds: 0.0,
+        },
+        warnings: Vec::new(),
+        trajectory,
+    }
+}
