@@ -1,7 +1,7 @@
 //! Visiting order, centerline and baseline pair: the way from a scene to the optimizer's start.
 //!
 //! - [`visiting_order`]: in which order the circles are visited;
-//! - [`hybrid_a_star::centerline`]: a path for the pair's midpoint through them;
+//! - [`hybrid_a_star::centerline`] or [`rrt_star::centerline`]: a path for the pair's midpoint through them;
 //! - [`baseline()`]: the two robots on either side of it (eqs. 1 to 3 of the paper).
 //!
 //! SI units, radians, map frame. Same input, same bits.
@@ -17,6 +17,6 @@ mod random;
 mod terrain;
 
 pub use baseline::baseline;
-pub use centerline::hybrid_a_star;
+pub use centerline::{hybrid_a_star, rrt_star};
 pub use error::RouteError;
 pub use order::{EXACT_LIMIT, visiting_order, visiting_orders};

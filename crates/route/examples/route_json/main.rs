@@ -6,7 +6,7 @@ mod scene_toml;
 
 use pairtrawl_generate::{Kind, generate};
 use pairtrawl_geometry::{Convex, Pose};
-use pairtrawl_route::{baseline, hybrid_a_star, visiting_order};
+use pairtrawl_route::{baseline, hybrid_a_star, rrt_star, visiting_order};
 use pairtrawl_world::World;
 use serde_json::{Value, json};
 use std::time::Instant;
@@ -40,7 +40,13 @@ fn main() {
     let t1 = Instant::now();
     let order = visiting_order(&world, &scene).expect("an order");
     let t2 = Instant::now();
-    let centerline = hybrid_a_star::centerline(&world, &scene, &order).expect("a centerline");
+    let centerline = match std::env::args().nth(2) {
+        Some(seed) => {
+            rrt_star::centerline(&world, &scene, &order, seed.parse().expect("a seed"), 2000)
+        }
+        None => hybrid_a_star::centerline(&world, &scene, &order),
+    }
+    .expect("a centerline");
     let t3 = Instant::now();
     let pair = baseline(&world, &scene, &centerline, &order, None).expect("a baseline");
     let t4 = Instant::now();

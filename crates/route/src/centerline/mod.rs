@@ -5,6 +5,7 @@ pub(crate) mod corridor;
 pub(crate) mod dubins;
 pub mod hybrid_a_star;
 pub(crate) mod lattice;
+pub mod rrt_star;
 pub(crate) mod smooth;
 #[cfg(test)]
 mod tests;

@@ -214,3 +214,37 @@ fn orders_that_are_no_permutation_are_refused() {
         })
     );
 }
+
+#[test]
+fn rrt_star_takes_every_circle_too_and_gets_cheaper_with_more_samples() {
+    let centers = [[2.0, 4.5], [7.5, 4.8], [7.5, 1.5]];
+    let s = scene(
+        10.0,
+        7.0,
+        &centers,
+        pair_pose(1.0, 1.5, 1.5),
+        pair_pose(2.0, 0.9, -3.1),
+    );
+    let obstacle = |p| box_distance(p, [3.0, 1.9, 6.0, 5.0]);
+    let terrain = Terrain::sample(&s, obstacle);
+    let itinerary = Itinerary::new(&circles(&centers), &s, &[0, 1, 2]).unwrap();
+    let plan =
+        |seed, iterations| rrt_star::on_terrain(&terrain, &itinerary, seed, iterations).unwrap();
+    let line = plan(1, 600);
+    check_line(&line, &itinerary, 0.3);
+    assert!(
+        tightest_curvature(&line) < 1.0 / 0.35,
+        "{}",
+        tightest_curvature(&line)
+    );
+    assert!(line.iter().all(|p| obstacle(p.position()) > 0.4));
+    assert_eq!(line, plan(1, 600));
+    assert_ne!(line, plan(2, 600));
+    let way = |n| rrt_star::leg_cost(&terrain, Point::new(2.0, 4.5), Point::new(7.5, 1.5), n);
+    let (few, many) = (way(150).unwrap(), way(2500).unwrap());
+    assert!(many < few, "{many} {few}");
+    // The best way rounds the box's upper right corner, or its lower left one, at the distance that costs nothing.
+    let string = [[2.0, 4.5], [2.41, 1.31], [7.5, 1.5]].map(Point::from);
+    let shortest = string[0].distance(string[1]) + string[1].distance(string[2]);
+    assert!(many < 1.12 * shortest, "{many} {shortest}");
+}
