@@ -335,14 +335,15 @@ struct Foot {
     class: &'static str,
 }
 
-/// Writes a foot. It has but a part of the mass that stands on it; a long soft spring presses it down with the rest of the
-/// weight.
+/// Writes a foot. It has but a part of the mass that stands on it; up and down it has all of the inertia (armature) and all of
+/// the weight (a long soft spring).
 fn write_foot(out: &mut String, name: &str, foot: &Foot) -> std::fmt::Result {
-    let weight = foot.mass * (1.0 - FOOT_SHARE) * foot.gravity;
+    let rest = foot.mass * (1.0 - FOOT_SHARE);
     writeln!(
         out,
-        "<body name=\"foot_{name}\" pos=\"{}\"><joint name=\"foot_{name}\" type=\"slide\" axis=\"0 0 1\" stiffness=\"{weight:e}\" springref=\"-1\"/><inertial pos=\"0 0 0\" mass=\"{}\" diaginertia=\"1e-9 1e-9 1e-9\"/><geom class=\"{}\"/></body>",
+        "<body name=\"foot_{name}\" pos=\"{}\"><joint name=\"foot_{name}\" type=\"slide\" axis=\"0 0 1\" armature=\"{rest:e}\" stiffness=\"{:e}\" springref=\"-1\"/><inertial pos=\"0 0 0\" mass=\"{}\" diaginertia=\"1e-9 1e-9 1e-9\"/><geom class=\"{}\"/></body>",
         numbers([foot.place.x, foot.place.y, FOOT]),
+        rest * foot.gravity,
         number(foot.mass * FOOT_SHARE),
         foot.class
     )
