@@ -192,6 +192,19 @@ fn an_object_behind_walls_is_enclosed() {
 }
 
 #[test]
+fn a_window_with_a_line_of_sight_is_no_enclosure() {
+    // Each robot on its own can stand outside with a free line through the window: the argument has nothing to say, on
+    // no grid, however coarse against the window.
+    for window in [0.3, 0.06] {
+        assert_eq!(
+            prove(&boxed(1.2, window), Some(2.0)),
+            None,
+            "window {window}"
+        );
+    }
+}
+
+#[test]
 fn an_object_behind_a_nonconvex_obstacle_is_enclosed() {
     let mut scene = hall(10.0, 6.0, 1.0, 9.0);
     // A clasp, open to the left, and a box that shuts it.
