@@ -212,6 +212,12 @@ fn a_net_that_is_shorter_than_the_start_is_proven_infeasible() {
     refused_with(&path, &["--net-length", "0.6"], 4, &["0.6", "0.7"]);
 }
 
+#[test]
+fn too_few_waypoints_are_proven_infeasible() {
+    let (_folder, path) = folder_with(SMALL);
+    refused_with(&path, &["--waypoints", "20"], 4, &["20 waypoints", "61"]);
+}
+
 #[cfg(unix)]
 #[test]
 fn a_scene_that_never_ends() {

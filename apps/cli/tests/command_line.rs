@@ -6,7 +6,19 @@ use program::{SMALL, files_below, folder_with, library_scene, program, run, stde
 use serde_json::Value;
 use std::process::Stdio;
 
-const COMMANDS: [&str; 5] = ["plan", "check", "demo", "new", "completions"];
+const COMMANDS: [&str; 11] = [
+    "plan",
+    "check",
+    "demo",
+    "rehearse",
+    "run",
+    "monte-carlo",
+    "export",
+    "length",
+    "generate",
+    "new",
+    "completions",
+];
 
 #[test]
 fn help_explains_with_examples() {
@@ -29,7 +41,7 @@ fn help_explains_with_examples() {
 
 #[test]
 fn a_bad_command_line_ends_with_2() {
-    let bad: [&[&str]; 9] = [
+    let bad: [&[&str]; 14] = [
         &[],
         &["fly"],
         &["plan"],
@@ -44,6 +56,11 @@ fn a_bad_command_line_ends_with_2() {
             "--require-rehearsal",
         ],
         &["plan", "scene.toml", "--order", "random"],
+        &["export", "scene.toml", "plan.json"],
+        &["generate", "--difficulty", "11"],
+        &["generate", "-n", "3"],
+        &["run", "scene.toml", "--friction", "2:1"],
+        &["length", "scene.toml", "--points", "1"],
     ];
     for arguments in bad {
         let ended = run(arguments);
@@ -91,7 +108,10 @@ fn every_command_prints_one_json_object() {
     let out = folder.path().join("out");
     let plan = out.join("plan.json");
     let hall = folder.path().join("hall");
-    let calls: [&[&str]; 8] = [
+    let made = folder.path().join("made");
+    let mjcf = folder.path().join("run.xml");
+    let driven = folder.path().join("run");
+    let calls: [&[&str]; 14] = [
         &[
             "plan",
             text(&scene),
@@ -115,8 +135,55 @@ fn every_command_prints_one_json_object() {
             "0.5",
             "--json",
         ],
+        &["rehearse", text(&scene), text(&plan), "--quick", "--json"],
+        &[
+            "run",
+            text(&scene),
+            text(&plan),
+            "--trials",
+            "1",
+            "--quick",
+            "-o",
+            text(&driven),
+            "--json",
+        ],
+        &[
+            "monte-carlo",
+            text(&scene),
+            text(&plan),
+            "--runs",
+            "2",
+            "--json",
+        ],
+        &[
+            "export",
+            text(&scene),
+            text(&plan),
+            "--mjcf",
+            text(&mjcf),
+            "--json",
+        ],
+        &[
+            "length",
+            text(&scene),
+            "--points",
+            "3",
+            "-o",
+            text(&out),
+            "--json",
+        ],
+        &[
+            "generate",
+            "--difficulty",
+            "1",
+            "-n",
+            "60",
+            "-o",
+            text(&made),
+            "--json",
+        ],
     ];
-    let codes = [0, 0, 0, 8, 0, 3, 3, 4];
+    let codes = [0, 0, 0, 8, 0, 3, 3, 4, 0, 0, 0, 0, 0, 0];
     for (arguments, code) in calls.iter().zip(codes) {
         let ended = run(arguments);
         assert_eq!(
@@ -130,6 +197,42 @@ fn every_command_prints_one_json_object() {
         assert_eq!(object["ok"], code == 0, "{arguments:?}");
         assert_eq!(object.get("error").is_some(), code != 0, "{arguments:?}");
     }
+}
+
+#[test]
+fn studies_write_their_files_and_no_other() {
+    let (folder, scene) = folder_with(SMALL);
+    let plan = folder.path().join("plan/plan.json");
+    let run_in = |name: &str, arguments: &[&str]| {
+        let out = folder.path().join(name);
+        let mut all = arguments.to_vec();
+        all.extend(["-o", text(&out)]);
+        let ended = run(&all);
+        assert_eq!(ended.status.code(), Some(0), "{all:?}: {}", stderr(&ended));
+        files_below(&out)
+    };
+    let (scene, plan) = (text(&scene), text(&plan));
+    run_in("plan", &["plan", scene, "--no-rehearsal"]);
+    assert_eq!(
+        run_in("rehearsal", &["rehearse", scene, plan, "--quick"]),
+        ["report.html"]
+    );
+    assert_eq!(
+        run_in("run", &["run", scene, plan, "--trials", "1", "--quick"]),
+        ["execution.json", "metadata.yaml", "report.html", "run.mcap"]
+    );
+    assert_eq!(
+        run_in("length", &["length", scene, "--points", "2"]),
+        ["length.csv", "length.json", "length.svg"]
+    );
+    assert_eq!(
+        run_in("table", &["monte-carlo", scene, plan, "--runs", "1"]),
+        ["monte-carlo.json"]
+    );
+    assert_eq!(
+        run_in("made", &["generate", "-n", "60"]),
+        ["scene.toml", "witness.json"]
+    );
 }
 
 #[test]

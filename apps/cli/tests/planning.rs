@@ -154,6 +154,52 @@ fn an_overridden_net_length_stands_in_the_plan() {
 }
 
 #[test]
+fn generated_scenes_and_their_witnesses_pass_check() {
+    let folder = tempfile::tempdir().expect("a folder");
+    for (kind, difficulty) in [("witness", "1"), ("witness", "10"), ("serpentine", "5")] {
+        let out = folder.path().join(kind).join(difficulty);
+        let made = run(&[
+            "generate",
+            "--kind",
+            kind,
+            "--difficulty",
+            difficulty,
+            "--seed",
+            "7",
+            "-o",
+            text(&out),
+        ]);
+        assert_eq!(made.status.code(), Some(0), "{}", stderr(&made));
+        let ended = run(&[
+            "check",
+            text(&out.join("scene.toml")),
+            text(&out.join("witness.json")),
+        ]);
+        assert_eq!(
+            ended.status.code(),
+            Some(0),
+            "{kind} {difficulty}: {}",
+            stdout(&ended)
+        );
+    }
+}
+
+#[test]
+fn a_random_centerline_depends_on_its_seed_alone() {
+    let (folder, scene) = folder_with(SMALL);
+    let plan_with = |seed: &str, name: &str| {
+        let out = folder.path().join(name);
+        plan_in(
+            &out,
+            &scene,
+            &["--no-rehearsal", "--centerline", "rrt-star", "--seed", seed],
+        );
+        std::fs::read_to_string(out.join("plan.csv")).expect("plan.csv")
+    };
+    assert_eq!(plan_with("1", "a"), plan_with("1", "b"));
+}
+
+#[test]
 fn time_runs_out_with_5_and_no_file() {
     let folder = tempfile::tempdir().expect("a folder");
     let out = folder.path().join("out");
@@ -191,12 +237,17 @@ fn witness_scenes() {
 }
 
 #[test]
-#[ignore = "many plans, minutes; .ci/run includes it"]
 fn every_scene_and_length() {
     for length in ["1.5", "2.0", "2.5", "3.0"] {
         certified_scene("paper-simulation", &["--net-length", length]);
     }
-    for name in ["paper-simulation", "paper-experiment", "authors-simulation"] {
+    for name in [
+        "paper-simulation",
+        "paper-experiment",
+        "authors-simulation",
+        "turtlebot3-world",
+        "nav2-sandbox",
+    ] {
         certified_scene(name, &[]);
         certified_scene(name, &["--net-length", "auto"]);
     }
@@ -206,7 +257,6 @@ fn every_scene_and_length() {
 }
 
 #[test]
-#[ignore = "slow; .ci/run includes it"]
 fn the_authors_simulation_is_shorter_than_theirs() {
     let summary = certified_scene(
         "authors-simulation",

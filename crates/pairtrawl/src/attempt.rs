@@ -1,14 +1,16 @@
+use crate::check::{Candidate, check};
 use crate::run::Run;
 use crate::tighten::Tightening;
-use crate::{PlanError, PlanOptions, RehearsalMode, Stage};
+use crate::{NetLength, PlanError, PlanOptions, RehearsalMode, Stage};
 use pairtrawl_certificate::certify;
 use pairtrawl_geometry::Pose;
 use pairtrawl_model::{
-    Certificate, PairTrajectory, Rehearsal, RehearsalRecord, Scene, SolverReport,
+    Certificate, Overrides, PairTrajectory, Plan, Rehearsal, RehearsalRecord, Scene,
+    SceneReference, SolverReport,
 };
 use pairtrawl_route::baseline;
 use pairtrawl_simulation::rehearse;
-use pairtrawl_trajopt::{Problem, Settings, ShrunkMargin, optimise_watched};
+use pairtrawl_trajopt::{Problem, Settings, ShrunkMargin, evaluate, optimise_watched};
 use pairtrawl_world::World;
 
 /// Everything that stays the same while attempts at a plan are made.
@@ -18,7 +20,6 @@ pub(crate) struct Course<'a> {
     pub net_length: Option<f64>,
     pub world: &'a World,
     pub order: &'a [usize],
-    pub centerline: &'a [Pose],
     pub options: &'a PlanOptions,
 }
 
@@ -26,6 +27,7 @@ pub(crate) struct Course<'a> {
 pub(crate) struct Attempt {
     pub net_length: f64,
     pub trajectory: PairTrajectory,
+    pub centerline: Vec<Pose>,
     pub baseline: PairTrajectory,
     pub certificate: Certificate,
     pub solver: SolverReport,
@@ -37,10 +39,11 @@ impl Course<'_> {
     /// more margin, a bounded number of times; the one with the fewest events counts.
     pub fn rehearsed_attempt(
         &self,
+        centerline: Vec<Pose>,
         run: &mut Run,
     ) -> Result<(Attempt, Option<RehearsalRecord>), PlanError> {
         let mut tightening = Tightening::NONE;
-        let mut best = self.certified_attempt(&mut tightening, run)?;
+        let mut best = self.certified_attempt(&centerline, &mut tightening, run)?;
         if self.options.rehearsal == RehearsalMode::Skip {
             return Ok((best, None));
         }
@@ -54,7 +57,7 @@ impl Course<'_> {
             ));
             tightening = tightening.after_event(&failed.kind);
             run.round += 1;
-            match self.certified_attempt(&mut tightening, run) {
+            match self.certified_attempt(&centerline, &mut tightening, run) {
                 Ok(next) => {
                     let next_record = self.rehearse(&next, run)?;
                     event = next_record.events.first().cloned();
@@ -77,17 +80,18 @@ impl Course<'_> {
     /// budget of rounds.
     pub fn certified_attempt(
         &self,
+        centerline: &[Pose],
         tightening: &mut Tightening,
         run: &mut Run,
     ) -> Result<Attempt, PlanError> {
-        let mut best = self.attempt(tightening, run)?;
+        let mut best = self.attempt(centerline, tightening, run)?;
         for _ in 1..self.options.rounds {
             if best.certificate.is_valid() {
                 break;
             }
             *tightening = tightening.after_claims(&best.certificate);
             run.round += 1;
-            let next = self.attempt(tightening, run)?;
+            let next = self.attempt(centerline, tightening, run)?;
             if next.failures() <= best.failures() {
                 best = next;
             }
@@ -100,12 +104,16 @@ impl Course<'_> {
     }
 
     /// One attempt.
-    fn attempt(&self, tightening: &Tightening, run: &mut Run) -> Result<Attempt, PlanError> {
+    fn attempt(
+        &self,
+        centerline: &[Pose],
+        tightening: &Tightening,
+        run: &mut Run,
+    ) -> Result<Attempt, PlanError> {
         let Self {
             scene,
             world,
             order,
-            centerline,
             ..
         } = *self;
         let given = self.options.waypoints.or(scene.planner.waypoints);
@@ -150,6 +158,7 @@ impl Course<'_> {
             },
             net_length: solution.net_length,
             trajectory: solution.trajectory,
+            centerline: centerline.to_vec(),
             baseline,
             certificate,
         })
@@ -169,6 +178,38 @@ impl Course<'_> {
 }
 
 impl Attempt {
+    /// The plan that it becomes, with every claim of its file; not rehearsed yet.
+    pub fn into_plan(self, course: &Course, reference: &SceneReference) -> Plan {
+        let scene = course.scene;
+        let overrides = Overrides {
+            net_length: course.options.net_length.map(|length| match length {
+                NetLength::Auto => None,
+                NetLength::Fixed(length) => Some(length),
+            }),
+        };
+        let candidate = Candidate {
+            net_length: self.net_length,
+            trajectory: &self.trajectory,
+            scene: Some(reference),
+            overrides: &overrides,
+        };
+        Plan {
+            certificate: check(scene, reference, &candidate),
+            cost: evaluate(scene, &self.trajectory, self.net_length),
+            net_length: self.net_length,
+            scene: reference.clone(),
+            overrides,
+            circles: course.world.circles.clone(),
+            order: course.order.to_vec(),
+            centerline: self.centerline,
+            baseline: self.baseline,
+            trajectory: self.trajectory,
+            rehearsal: Rehearsal::Skipped,
+            solver: self.solver,
+            warnings: self.warnings,
+        }
+    }
+
     /// How many claims fail.
     fn failures(&self) -> usize {
         self.certificate

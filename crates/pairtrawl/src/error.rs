@@ -51,6 +51,18 @@ pub enum PlanError {
 }
 
 impl PlanError {
+    /// There was not even a visiting order to try.
+    pub(crate) fn no_order() -> Self {
+        Self::NoPlan {
+            reason: "there is no visiting order".to_owned(),
+            claim: None,
+            step: None,
+            place: None,
+            margin: None,
+            remedy: "report this scene".to_owned(),
+        }
+    }
+
     /// What would help, when the message does not say so itself.
     pub fn remedy(&self) -> Option<&str> {
         match self {

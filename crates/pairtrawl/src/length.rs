@@ -1,11 +1,11 @@
 use crate::attempt::Course;
-use crate::plan::order_of;
 use crate::run::Run;
+use crate::starts::{centerline_of, orders_of};
 use crate::tighten::Tightening;
 use crate::{Observer, PlanError, PlanOptions, RehearsalMode, Stage};
 use pairtrawl_certificate::infeasibility;
 use pairtrawl_model::{Cost, LengthCurve, LengthPoint, Scene};
-use pairtrawl_route::{baseline, hybrid_a_star};
+use pairtrawl_route::baseline;
 use pairtrawl_trajopt::evaluate;
 use pairtrawl_world::World;
 use rayon::prelude::*;
@@ -62,13 +62,19 @@ pub fn length_curve(
 ) -> Result<LengthCurve, PlanError> {
     let mut run = Run::new(options, observer);
     let world = run.stage(Stage::World, || World::new(scene, None))??;
-    let order = run.stage(Stage::Order, || order_of(&world, scene, options.order))??;
-    let centerline = run.stage(Stage::Centerline, || {
-        hybrid_a_star::centerline(&world, scene, &order)
-    })??;
+    let orders = run.stage(Stage::Order, || orders_of(&world, scene, options))??;
+    let order = orders.first().ok_or_else(PlanError::no_order)?;
+    let open = Course {
+        scene,
+        net_length: None,
+        world: &world,
+        order,
+        options,
+    };
+    let centerline = run.stage(Stage::Centerline, || centerline_of(&open))??;
     let given = options.waypoints.or(scene.planner.waypoints);
     let first = run.stage(Stage::Baseline, || {
-        baseline(&world, scene, &centerline, &order, given)
+        baseline(&world, scene, &centerline, order, given)
     })??;
     let fixed = PlanOptions {
         waypoints: Some(first.len()),
@@ -82,16 +88,17 @@ pub fn length_curve(
             return Err(proof.message);
         }
         let course = Course {
-            scene,
             net_length,
-            world: &world,
-            order: &order,
-            centerline: &centerline,
             options: &fixed,
+            ..open
         };
         let (mut tightening, mut nobody) = (Tightening::NONE, ());
         let attempt = course
-            .certified_attempt(&mut tightening, &mut Run::new(&fixed, &mut nobody))
+            .certified_attempt(
+                &centerline,
+                &mut tightening,
+                &mut Run::new(&fixed, &mut nobody),
+            )
             .map_err(|error| error.to_string())?;
         let cost = evaluate(scene, &attempt.trajectory, attempt.net_length);
         Ok((attempt.net_length, cost))

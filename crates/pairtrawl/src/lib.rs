@@ -67,15 +67,17 @@ mod plan;
 pub mod reference;
 mod rehearse;
 mod run;
+mod starts;
 mod summary;
 mod tighten;
+mod waypoints;
 
 pub use check::{Candidate, check};
 pub use error::PlanError;
 pub use judge::judge;
 pub use length::{LengthRange, length_curve};
 pub use observer::{Observer, Stage};
-pub use options::{NetLength, OrderMethod, PlanOptions, RehearsalMode};
+pub use options::{CenterlineMethod, NetLength, OrderMethod, PlanOptions, RehearsalMode};
 pub use pairtrawl_generate as generate;
 pub use pairtrawl_geometry as geometry;
 pub use pairtrawl_model as model;

@@ -9,7 +9,11 @@ pub struct PlanOptions {
     pub waypoints: Option<usize>,
     /// How the visiting order is found.
     pub order: OrderMethod,
-    /// Seed of whatever is random. Hybrid A* is not.
+    /// Greatest number of visiting orders that are tried when no certified plan follows the shortest one.
+    pub orders: usize,
+    /// How the centerline is found.
+    pub centerline: CenterlineMethod,
+    /// Seed of whatever is random: the centerline by RRT*.
     pub seed: u64,
     /// Gives up after this time, checked between steps of work.
     pub time_limit: Option<Duration>,
@@ -27,6 +31,8 @@ impl Default for PlanOptions {
             net_length: None,
             waypoints: None,
             order: OrderMethod::Shortest,
+            orders: 3,
+            centerline: CenterlineMethod::HybridAStar,
             seed: 0,
             time_limit: None,
             rehearsal: RehearsalMode::Report,
@@ -52,6 +58,15 @@ pub enum OrderMethod {
     Given,
     /// The shortest open path through all circles.
     Shortest,
+}
+
+/// How the centerline is found.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum CenterlineMethod {
+    /// Hybrid A*.
+    HybridAStar,
+    /// Informed RRT*.
+    RrtStar,
 }
 
 /// What a rehearsal decides.

@@ -2,15 +2,11 @@
 //! (rehearse) -> plan.
 
 use crate::attempt::Course;
-use crate::check::{Candidate, check};
 use crate::run::Run;
-use crate::{NetLength, Observer, OrderMethod, PlanError, PlanOptions, Stage};
+use crate::starts::{centerline_of, orders_of};
+use crate::{NetLength, Observer, PlanError, PlanOptions, Stage, waypoints};
 use pairtrawl_certificate::infeasibility;
-use pairtrawl_model::{
-    Overrides, Plan, Rehearsal, RehearsalRecord, Scene, SceneReference, StageTime,
-};
-use pairtrawl_route::{RouteError, hybrid_a_star, visiting_order};
-use pairtrawl_trajopt::evaluate;
+use pairtrawl_model::{Plan, Rehearsal, RehearsalRecord, Scene, SceneReference, StageTime};
 use pairtrawl_world::World;
 
 /// A plan and what planning it showed.
@@ -42,75 +38,58 @@ pub fn plan(
         Some(NetLength::Fixed(length)) => Some(length),
     };
 
-    if let Some(proof) = run.stage(Stage::Proofs, || infeasibility::prove(scene, net_length))? {
-        return Err(PlanError::Infeasible {
-            proof: proof.message,
-        });
+    let proof = run.stage(Stage::Proofs, || {
+        let scenes = infeasibility::prove(scene, net_length).map(|proof| proof.message);
+        scenes.or_else(|| waypoints::too_few(scene, options))
+    })?;
+    if let Some(proof) = proof {
+        return Err(PlanError::Infeasible { proof });
     }
     let world = run.stage(Stage::World, || World::new(scene, net_length))??;
-    let order = run.stage(Stage::Order, || order_of(&world, scene, options.order))??;
-    let centerline = run.stage(Stage::Centerline, || {
-        hybrid_a_star::centerline(&world, scene, &order)
-    })??;
+    let orders = run.stage(Stage::Order, || orders_of(&world, scene, options))??;
 
-    // Baseline, optimise, certify and rehearse, in rounds.
-    let course = Course {
-        scene,
-        net_length,
-        world: &world,
-        order: &order,
-        centerline: &centerline,
-        options,
-    };
-    let (attempt, rehearsal) = course.rehearsed_attempt(&mut run)?;
-
-    let overrides = Overrides {
-        net_length: options.net_length.map(|length| match length {
-            NetLength::Auto => None,
-            NetLength::Fixed(length) => Some(length),
-        }),
-    };
-    let candidate = Candidate {
-        net_length: attempt.net_length,
-        trajectory: &attempt.trajectory,
-        scene: Some(reference),
-        overrides: &overrides,
-    };
-    Ok(Planned {
-        plan: Plan {
-            net_length: attempt.net_length,
-            certificate: check(scene, reference, &candidate),
-            cost: evaluate(scene, &attempt.trajectory, attempt.net_length),
-            scene: reference.clone(),
-            overrides,
-            circles: world.circles,
+    // The shortest order first; the next ones only when no certified plan follows it.
+    let mut refused = None;
+    for (rank, order) in orders.iter().enumerate() {
+        let course = Course {
+            scene,
+            net_length,
+            world: &world,
             order,
-            centerline,
-            baseline: attempt.baseline,
-            trajectory: attempt.trajectory,
-            rehearsal: rehearsal
-                .as_ref()
-                .map_or(Rehearsal::Skipped, |record| record.verdict.clone()),
-            solver: attempt.solver,
-            warnings: attempt.warnings,
-        },
-        rehearsal,
-        stages: run.stages,
-    })
-}
-
-/// The visiting order by a method.
-pub(crate) fn order_of(
-    world: &World,
-    scene: &Scene,
-    method: OrderMethod,
-) -> Result<Vec<usize>, RouteError> {
-    match method {
-        OrderMethod::Shortest => visiting_order(world, scene),
-        OrderMethod::Given => {
-            let mut order: Vec<usize> = (0..world.circles.len()).collect();
-            order.sort_by_key(|&circle| world.circles[circle].objects.iter().min().copied());
-            Ok(order)
+            options,
+        };
+        let centerline = run.stage(Stage::Centerline, || centerline_of(&course))?;
+        let attempt = centerline
+            .map_err(PlanError::from)
+            .and_then(|centerline| course.rehearsed_attempt(centerline, &mut run));
+        match attempt {
+            Ok((attempt, rehearsal)) => {
+                let mut plan = attempt.into_plan(&course, reference);
+                plan.rehearsal = rehearsal
+                    .as_ref()
+                    .map_or(Rehearsal::Skipped, |record| record.verdict.clone());
+                if rank > 0 {
+                    plan.warnings.push(other_order(rank));
+                }
+                let stages = run.stages;
+                return Ok(Planned {
+                    plan,
+                    rehearsal,
+                    stages,
+                });
+            }
+            Err(error @ PlanError::NoPlan { .. }) => {
+                refused.get_or_insert(error);
+                run.round += 1;
+            }
+            Err(error) => return Err(error),
         }
     }
+    Err(refused.unwrap_or_else(PlanError::no_order))
+}
+
+/// A warning: the shortest visiting order did not do.
+fn other_order(rank: usize) -> String {
+    let shorter = if rank == 1 { "order" } else { "orders" };
+    format!("no certified plan was found for {rank} shorter visiting {shorter}")
 }

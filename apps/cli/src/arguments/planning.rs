@@ -16,7 +16,11 @@ pub struct PlanningArguments {
     #[arg(long, value_enum, default_value_t = Order::Shortest)]
     pub order: Order,
 
-    /// Seed of whatever is random; planning with hybrid A* is not
+    /// How the pair's centerline is searched
+    #[arg(long, value_enum, default_value_t = Centerline::HybridAStar)]
+    pub centerline: Centerline,
+
+    /// Seed of whatever is random: the centerline by RRT*
     #[arg(long, value_name = "S", default_value_t = 0)]
     pub seed: u64,
 
@@ -50,6 +54,7 @@ impl PlanningArguments {
             net_length: self.net_length,
             waypoints: self.waypoints.map(|n| n as usize),
             order: self.order.into(),
+            centerline: self.centerline.into(),
             seed: self.seed,
             time_limit: self.time_limit.map(std::time::Duration::from_secs_f64),
             rehearsal: match (self.no_rehearsal, self.require_rehearsal) {
@@ -67,6 +72,24 @@ impl From<Order> for pairtrawl::OrderMethod {
         match order {
             Order::Given => Self::Given,
             Order::Shortest => Self::Shortest,
+        }
+    }
+}
+
+/// Centerline planners.
+#[derive(Clone, Copy, Debug, ValueEnum)]
+pub enum Centerline {
+    /// Hybrid A*
+    HybridAStar,
+    /// Informed RRT*
+    RrtStar,
+}
+
+impl From<Centerline> for pairtrawl::CenterlineMethod {
+    fn from(centerline: Centerline) -> Self {
+        match centerline {
+            Centerline::HybridAStar => Self::HybridAStar,
+            Centerline::RrtStar => Self::RrtStar,
         }
     }
 }
