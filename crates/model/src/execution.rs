@@ -89,9 +89,16 @@ pub struct Trial {
 }
 
 impl Trial {
-    /// True when every object is inside the net at the end.
+    /// True when the pair came to the end of its way with every object inside the net.
     pub fn gathered_everything(&self) -> bool {
-        self.gathered.iter().all(|g| *g)
+        !self.was_stopped() && self.gathered.iter().all(|g| *g)
+    }
+
+    /// True when the supervisor stopped the pair on its way.
+    pub fn was_stopped(&self) -> bool {
+        self.events
+            .iter()
+            .any(|e| matches!(e.kind, ExecutionEventKind::PairStopped { .. }))
     }
 
     /// How many objects are inside the net at the end.
@@ -171,7 +178,9 @@ impl ExecutionEventKind {
     pub fn describe(&self) -> String {
         match self {
             Self::Physical(kind) => kind.describe(),
-            Self::PairStopped { cause, robot } => format!("the pair is stopped: {} robot, {cause}", robot.name()),
+            Self::PairStopped { cause, robot } => {
+                format!("the pair is stopped: {} robot, {cause}", robot.name())
+            }
         }
     }
 }
