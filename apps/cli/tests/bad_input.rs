@@ -232,7 +232,7 @@ fn a_scene_that_never_ends() {
 fn a_scene_that_may_not_be_read() {
     use std::os::unix::fs::PermissionsExt;
     let (_folder, path) = folder_with(SMALL);
-    std::fs::set_permissions(&path, std::fs::Permissions::from_mode(0)).expect("permissions");
+    std::fs::set_permissions(&path, std::fs::Permissions::from_mode(0o000)).expect("permissions");
     // Root may read everything: nothing to see then.
     if std::fs::read(&path).is_err() {
         refused(&path, 8, &[text(&path)]);
