@@ -9,6 +9,12 @@ use pairtrawl_model::{Circle, Scene};
 
 /// Steepest change of an offset per meter of centerline: circle borders are blended with it.
 const SLOPE: f64 = 0.45;
+/// Steepest change of the lead per meter of centerline.
+const LEAD_SLOPE: f64 = 0.6;
+/// Greatest angle between the line between the robots and the centerline's normal, rad.
+const MAX_STAGGER: f64 = 0.85;
+/// Share of the margin that each robot gives before they go one ahead of the other.
+const MARGIN_GIVEN: f64 = 0.8;
 /// Step in which the room beside the centerline is measured, m.
 const PROBE: f64 = 0.02;
 /// Largest product of curvature and inner offset: at 1 the inner robot would stand still.
@@ -32,6 +38,8 @@ pub(crate) struct Visit {
 pub(crate) struct Band {
     pub left: Vec<f64>,
     pub right: Vec<f64>,
+    /// How far the left robot is ahead of the right one: 0 but where the pair can only pass staggered.
+    pub lead: Vec<f64>,
     pub visits: Vec<Visit>,
 }
 
@@ -50,6 +58,7 @@ pub(crate) fn band(
     let at = attach(&points, &centers);
     let mut left = vec![pair.half_separation; n];
     let mut right = left.clone();
+    let mut lead = vec![0.0; n];
     let mut visits = Vec::new();
     for (circle, &here) in circles.iter().zip(&at) {
         let within = |reach: f64| {
@@ -80,8 +89,8 @@ pub(crate) fn band(
             visits.push(Visit { object, index });
         }
     }
-    rise(&s, &mut left);
-    rise(&s, &mut right);
+    rise(&s, SLOPE, &mut left);
+    rise(&s, SLOPE, &mut right);
     let mut room_left = room(terrain, centerline, 1.0, &left);
     let mut room_right = room(terrain, centerline, -1.0, &right);
     lower(&s, &mut room_left);
@@ -112,7 +121,17 @@ pub(crate) fn band(
         } else {
             (0.0, 0.0)
         };
-        let rest = 0.5 * (missing - give);
+        // Still too close: the margins give, then one robot goes ahead of the other, as far as the skew allows.
+        let side_by_side = 2.0 * pair.min_half;
+        let tight = missing - give;
+        let narrowest = side_by_side * MAX_STAGGER.cos() - limited.0 - limited.1 - give;
+        let rest = (0.5 * tight)
+            .min(MARGIN_GIVEN * pair.clearance)
+            .max(0.5 * narrowest);
+        let across = limited.0 + limited.1 + give + 2.0 * rest;
+        if tight > 1e-9 && across < side_by_side {
+            lead[i] = (side_by_side * side_by_side - across * across).sqrt();
+        }
         left[i] = limited.0 + share.0 + rest;
         right[i] = limited.1 + share.1 + rest;
         let most = 2.0 * pair.max_half;
@@ -120,8 +139,10 @@ pub(crate) fn band(
         left[i] *= scale;
         right[i] *= scale;
     }
-    round(&mut left);
-    round(&mut right);
+    rise(&s, LEAD_SLOPE, &mut lead);
+    for offsets in [&mut left, &mut right, &mut lead] {
+        round(offsets);
+    }
     for (end, separation) in [
         (0, scene.start.separation()),
         (n - 1, scene.end.separation()),
@@ -133,11 +154,13 @@ pub(crate) fn band(
             let share = t * t * (3.0 - 2.0 * t);
             left[i] += share * (half - left[i]);
             right[i] += share * (half - right[i]);
+            lead[i] -= share * lead[i];
         }
     }
     Band {
         left,
         right,
+        lead,
         visits,
     }
 }
@@ -163,20 +186,20 @@ fn curvature(poses: &[Pose], s: &[f64], i: usize) -> f64 {
     }
 }
 
-/// Raises values beside peaks: max_j (v_j - SLOPE |s_i - s_j|).
-fn rise(s: &[f64], v: &mut [f64]) {
+/// Raises values beside peaks: max_j (v_j - slope |s_i - s_j|).
+fn rise(s: &[f64], slope: f64, v: &mut [f64]) {
     for i in 1..v.len() {
-        v[i] = v[i].max(v[i - 1] - SLOPE * (s[i] - s[i - 1]));
+        v[i] = v[i].max(v[i - 1] - slope * (s[i] - s[i - 1]));
     }
     for i in (0..v.len().saturating_sub(1)).rev() {
-        v[i] = v[i].max(v[i + 1] - SLOPE * (s[i + 1] - s[i]));
+        v[i] = v[i].max(v[i + 1] - slope * (s[i + 1] - s[i]));
     }
 }
 
 /// Lowers values beside dips: min_j (v_j + SLOPE |s_i - s_j|).
 fn lower(s: &[f64], v: &mut [f64]) {
     v.iter_mut().for_each(|x| *x = -*x);
-    rise(s, v);
+    rise(s, SLOPE, v);
     v.iter_mut().for_each(|x| *x = -*x);
 }
 

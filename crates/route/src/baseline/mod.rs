@@ -74,10 +74,19 @@ pub(crate) fn on_terrain(
     );
     let visited: Vec<&Circle> = order.iter().map(|&i| &circles[i]).collect();
     let band = band::band(terrain, scene, &fine, &visited);
+    // The robot that is ahead stands beside a later point of the centerline.
     let side = |offsets: &[f64], sign: f64| -> Vec<Point> {
-        fine.iter()
-            .zip(offsets)
-            .map(|(pose, w)| pose.position() + pose.forward().perp() * (sign * w))
+        let beside = |at: f64| {
+            let at = at.clamp(0.0, (fine.len() - 1) as f64);
+            let i = (at as usize).min(fine.len() - 2);
+            let pose = fine[i].lerp(fine[i + 1], at - i as f64);
+            let offset = offsets[i] + (offsets[i + 1] - offsets[i]) * (at - i as f64);
+            pose.position() + pose.forward().perp() * (sign * offset)
+        };
+        band.lead
+            .iter()
+            .enumerate()
+            .map(|(i, lead)| beside(i as f64 + 0.5 * sign * lead / SPACING))
             .collect()
     };
     let mut tracks = Tracks {
@@ -89,7 +98,7 @@ pub(crate) fn on_terrain(
     tracks.right[0] = scene.start.right.position();
     tracks.left[last] = scene.end.left.position();
     tracks.right[last] = scene.end.right.position();
-    tracks.relax(terrain, scene, &fine, &band.visits);
+    tracks.relax(terrain, scene, &fine, &band);
     let count = waypoints
         .or(scene.planner.waypoints)
         .unwrap_or_else(|| timing::waypoint_count(&tracks, scene));

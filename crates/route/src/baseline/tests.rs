@@ -2,6 +2,7 @@ use super::*;
 use crate::centerline::{Itinerary, hybrid_a_star};
 use crate::terrain::tests::{box_distance, pair_pose, scene};
 use pairtrawl_geometry::wrap_angle;
+use pairtrawl_model::PairPose;
 
 struct Case {
     scene: Scene,
@@ -176,4 +177,38 @@ fn centerlines_that_are_none_are_refused() {
     );
     case.line = vec![Pose::new(1.0, 1.0, 0.0); 2];
     assert!(case.baseline(None).is_ok());
+}
+
+#[test]
+fn a_gap_too_narrow_for_two_abreast_is_passed_staggered() {
+    let start = pair_pose(1.0, 3.0, 0.0);
+    let scene = scene(9.0, 6.0, &[[7.0, 3.0]], start, pair_pose(8.3, 3.0, 0.0));
+    let (low, high) = ([4.0, -1.0, 4.4, 2.56], [4.0, 3.44, 4.4, 7.0]);
+    let obstacle = |p| box_distance(p, low).min(box_distance(p, high));
+    let terrain = Terrain::sample(&scene, obstacle);
+    let circles = vec![Circle {
+        center: Point::new(7.0, 3.0),
+        radius: 0.275,
+        objects: vec![0],
+    }];
+    let itinerary = Itinerary::new(&circles, &scene, &[0]).unwrap();
+    let line = hybrid_a_star::on_terrain(&terrain, &itinerary).unwrap();
+    let pair = on_terrain(&terrain, &scene, &circles, &line, &[0], None).unwrap();
+    for i in 1..pair.len() - 1 {
+        let PairPose { left, right } = pair.pair(i);
+        assert!(
+            obstacle(left.position()).min(obstacle(right.position())) > 0.24,
+            "waypoint {i}"
+        );
+        assert!(
+            pair.pair(i).separation() > 0.475,
+            "waypoint {i}: {}",
+            pair.pair(i).separation()
+        );
+        let normal = pair.pair(i).normal_heading();
+        let skew = wrap_angle(left.heading - normal)
+            .abs()
+            .max(wrap_angle(right.heading - normal).abs());
+        assert!(skew < 1.1, "waypoint {i}: {skew}");
+    }
 }

@@ -3,7 +3,7 @@
 //! Each iteration refreshes springs and solves one banded system per robot, as in the centerline's smoothing.
 
 use super::SPACING;
-use super::band::Visit;
+use super::band::{Band, Visit};
 use crate::banded::Pentadiagonal;
 use crate::polyline::{arc_lengths, tangents};
 use crate::terrain::Terrain;
@@ -53,13 +53,7 @@ impl Spring {
 
 impl Tracks {
     /// Relaxes the tracks; both ends and the directions there stay.
-    pub fn relax(
-        &mut self,
-        terrain: &Terrain,
-        scene: &Scene,
-        centerline: &[Pose],
-        visits: &[Visit],
-    ) {
+    pub fn relax(&mut self, terrain: &Terrain, scene: &Scene, centerline: &[Pose], band: &Band) {
         let n = self.left.len();
         if n < 7 {
             return;
@@ -76,18 +70,13 @@ impl Tracks {
         }
         let reference = [self.left.clone(), self.right.clone()];
         for _ in 0..ITERATIONS {
-            let [left, right] = self.springs(terrain, centerline, visits);
+            let [left, right] = self.springs(terrain, centerline, band);
             solve(&mut self.left, &reference[0], &left);
             solve(&mut self.right, &reference[1], &right);
         }
     }
 
-    fn springs(
-        &self,
-        terrain: &Terrain,
-        centerline: &[Pose],
-        visits: &[Visit],
-    ) -> [Vec<Spring>; 2] {
+    fn springs(&self, terrain: &Terrain, centerline: &[Pose], band: &Band) -> [Vec<Spring>; 2] {
         let n = self.left.len();
         let pair = &terrain.pair;
         let mut springs = [(); 2].map(|()| {
@@ -114,7 +103,7 @@ impl Tracks {
             let mean = directions[0][i] + directions[1][i];
             if mean.norm() > 0.1 {
                 let forward = mean / mean.norm();
-                let slip = forward * (-0.5 * rung.dot(forward));
+                let slip = forward * (0.5 * (band.lead[i] - rung.dot(forward)));
                 springs[0][i].add(ABREAST, slip);
                 springs[1][i].add(ABREAST, -slip);
             }
@@ -134,7 +123,7 @@ impl Tracks {
                     let is_visit = |v: &Visit| {
                         v.object.center == object.center && i.abs_diff(v.index) <= WINDOW
                     };
-                    if !visits.iter().any(is_visit) {
+                    if !band.visits.iter().any(is_visit) {
                         springs[side][i].add(KEEP, away * (keep / distance - 1.0));
                     }
                 }
@@ -151,10 +140,11 @@ impl Tracks {
                 }
             }
         }
-        for visit in visits {
+        for visit in &band.visits {
             let normal = centerline[visit.index].forward().perp();
             let keep = visit.object.radius + pair.radius + pair.clearance + SPARE;
-            for i in visit.index.saturating_sub(WINDOW)..(visit.index + WINDOW + 1).min(n) {
+            let window = visit.index.saturating_sub(WINDOW)..(visit.index + WINDOW + 1).min(n);
+            for i in window {
                 for (side, p, outwards) in [(0, self.left[i], normal), (1, self.right[i], -normal)]
                 {
                     let r = p - visit.object.center;

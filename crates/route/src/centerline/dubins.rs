@@ -45,11 +45,11 @@ impl Dubins {
             pieces: [f64::INFINITY; 3],
         };
         for word in WORDS {
-            if let Some(pieces) = solve(word, a, b, distance) {
-                if pieces.iter().sum::<f64>() < best.pieces.iter().sum::<f64>() {
-                    best.word = word;
-                    best.pieces = pieces;
-                }
+            if let Some(pieces) = solve(word, a, b, distance)
+                && pieces.iter().sum::<f64>() < best.pieces.iter().sum::<f64>()
+            {
+                best.word = word;
+                best.pieces = pieces;
             }
         }
         best

@@ -26,6 +26,9 @@ const NONE: u32 = u32::MAX;
 /// States to expand, the least estimate first; ties in the order of their making.
 pub(crate) type Open = BinaryHeap<(Reverse<u64>, Reverse<u32>)>;
 
+/// Leg and number of the cheapest node in each (cell, heading).
+type Tile = Box<[(u32, u32)]>;
+
 #[derive(Clone, Copy)]
 pub(crate) struct Node {
     pub position: Point,
@@ -96,7 +99,7 @@ pub(crate) struct Lattice<'c> {
     rows: usize,
     tile_columns: usize,
     /// Per tile: the leg and the number of the cheapest node in each (cell, heading); entries of older legs are stale.
-    tiles: Vec<Option<Box<[(u32, u32)]>>>,
+    tiles: Vec<Option<Tile>>,
     nodes: Vec<Node>,
     /// Nodes before this one belong to finished legs.
     base: usize,

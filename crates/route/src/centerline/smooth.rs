@@ -45,16 +45,13 @@ const ITERATIONS: usize = 80;
 /// Turn within 0.8 m that makes a long bend, rad, and the stiffness that it begins with.
 const LONG_BEND: f64 = 0.8;
 const BEND_STIFFNESS: f64 = 15.0;
-/// Iterations after which the vertices are spread evenly again.
-const REFRESH: usize = 1;
 
 /// A smooth centerline along `raw`, resampled evenly.
 pub(crate) fn smooth(terrain: &Terrain, itinerary: &Itinerary, raw: &[Pose]) -> Vec<Pose> {
     let mut band = Band::new(terrain, itinerary, raw);
-    for round in 0..ITERATIONS {
-        if round % REFRESH == 0 {
-            band.spread();
-        }
+    for _ in 0..ITERATIONS {
+        // Evenly spread in every round: vertices that crowd in a bend would hide its curvature.
+        band.spread();
         band.relax();
     }
     band.spread();

@@ -183,7 +183,7 @@ fn objects_on_the_way_are_well_inside_or_outside_of_the_band() {
         .iter()
         .map(|p| p.position().distance(object))
         .fold(f64::INFINITY, f64::min);
-    assert!(nearest < 0.2 || nearest > 0.45, "{nearest}");
+    assert!(!(0.2..0.45).contains(&nearest), "{nearest}");
 }
 
 #[test]

@@ -175,10 +175,12 @@ impl<'s> Search<'s> {
             let (low, high) = (k.min(q), k.max(q));
             // 2-opt: `other` becomes the one behind, or the one before.
             for (from, to) in [(low + 1, high), (low, high - 1)] {
-                if from >= 1 && to <= n && from < to {
-                    if let Some(gain) = self.attempt(&[Block::flipped(from, to)]) {
-                        return Some((gain, from, to));
-                    }
+                if from >= 1
+                    && to <= n
+                    && from < to
+                    && let Some(gain) = self.attempt(&[Block::flipped(from, to)])
+                {
+                    return Some((gain, from, to));
                 }
             }
             // Or-opt: a run that begins or ends at `stop` moves beside `other`, with `stop` at `other`'s side.

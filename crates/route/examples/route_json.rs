@@ -1,10 +1,8 @@
-//! Plans the route of a scene file and prints it as JSON with the seconds of each stage, for plots and profiles.
+//! Plans the route of a generated scene and prints it as JSON with the seconds of each stage, for plots and profiles.
 //!
-//! `cargo run --release -p pairtrawl-route --example route_json -- scene.toml > route.json`
+//! `cargo run --release -p pairtrawl-route --example route_json -- witness:7:1:250 > route.json`
+//! A second argument is a seed and takes RRT* instead of hybrid A*.
 
-mod scene_toml;
-
-use pairtrawl_generate::{Kind, generate};
 use pairtrawl_geometry::{Convex, Pose};
 use pairtrawl_route::{baseline, hybrid_a_star, rrt_star, visiting_order};
 use pairtrawl_world::World;
@@ -18,23 +16,17 @@ fn poses(poses: &[Pose]) -> Vec<[f64; 3]> {
 fn main() {
     let what = std::env::args()
         .nth(1)
-        .expect("usage: route_json SCENE.toml | KIND:DIFFICULTY:SEED:WAYPOINTS");
-    let mut witness = None;
-    let scene = if what.contains(':') {
-        let parts: Vec<&str> = what.split(':').collect();
-        let kind = if parts[0] == "serpentine" {
-            Kind::Serpentine
-        } else {
-            Kind::Witness
-        };
-        let number = |i: usize| parts[i].parse::<u64>().expect("a number");
-        let made = generate(kind, number(1) as u8, number(2), number(3) as usize)
-            .expect("a generated scene");
-        witness = Some(made.witness);
-        made.scene
+        .expect("usage: route_json KIND:DIFFICULTY:SEED:WAYPOINTS [RRT_SEED]");
+    let parts: Vec<&str> = what.split(':').collect();
+    let kind = if parts[0] == "serpentine" {
+        Kind::Serpentine
     } else {
-        scene_toml::read(&std::fs::read_to_string(what).expect("a readable scene"))
+        Kind::Witness
     };
+    let number = |i: usize| parts[i].parse::<u64>().expect("a number");
+    let made =
+        generate(kind, number(1) as u8, number(2), number(3) as usize).expect("a generated scene");
+    let (scene, witness) = (made.scene, made.witness);
     let t0 = Instant::now();
     let world = World::new(&scene, scene.net.length).expect("a world");
     let t1 = Instant::now();
@@ -71,7 +63,7 @@ fn main() {
         "centerline": poses(&centerline),
         "left": poses(&pair.left),
         "right": poses(&pair.right),
-        "witness": witness.map(|w| json!([poses(&w.left), poses(&w.right)])),
+        "witness": [poses(&witness.left), poses(&witness.right)],
         "seconds": {
             "world": (t1 - t0).as_secs_f64(), "order": (t2 - t1).as_secs_f64(),
             "centerline": (t3 - t2).as_secs_f64(), "baseline": (t4 - t3).as_secs_f64(),
