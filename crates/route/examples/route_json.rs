@@ -3,6 +3,7 @@
 //! `cargo run --release -p pairtrawl-route --example route_json -- witness:7:1:250 > route.json`
 //! A second argument is a seed and takes RRT* instead of hybrid A*.
 
+use pairtrawl_generate::{Kind, generate};
 use pairtrawl_geometry::{Convex, Pose};
 use pairtrawl_route::{baseline, hybrid_a_star, rrt_star, visiting_order};
 use pairtrawl_world::World;
