@@ -14,6 +14,9 @@ use crate::term::{Jet, PAIR, POINT, RUNG, Term};
 /// Dual regularization of the equalities.
 pub(crate) const DUAL_REGULARIZATION: f64 = 1e-9;
 
+/// Diagonal entry of a variable that is not to move.
+const FROZEN: f64 = 1e20;
+
 /// Matrix and gradients at an iterate.
 #[derive(Clone, Debug, Default)]
 pub(crate) struct System {
@@ -159,6 +162,26 @@ impl System {
         self.add_points(problem, x, set, mu);
         self.add_rungs(problem, x, set, mu);
         self.add_smoothness(problem, x);
+        if let Some(robot) = problem.frozen {
+            self.freeze(robot);
+        }
+    }
+
+    /// Takes a robot's poses out of the variables: no gradient, and a diagonal that no step overcomes.
+    fn freeze(&mut self, robot: usize) {
+        for b in (3 * robot..self.gradient.len()).step_by(STAGE) {
+            for v in b..b + 3 {
+                for g in [
+                    &mut self.gradient,
+                    &mut self.lagrangian,
+                    &mut self.objective,
+                    &mut self.arrow,
+                ] {
+                    g[v] = 0.0;
+                }
+                self.matrix.add_lower(v, v, FROZEN);
+            }
+        }
     }
 
     fn add_steps(
@@ -267,7 +290,7 @@ impl System {
             let mut local = Local::new();
             local.add_cost(&expansion.convex_jet(&z));
             while let Some(pair) = rows.next_if(|r| r.stage as usize == i) {
-                let jet = problem.pair_term(pair.kind, jet_of(&z));
+                let jet = problem.pair_term(pair.kind, i, jet_of(&z));
                 local.add_row(&mut pair.row, &jet, mu);
             }
             self.scatter_pair(base(i, count), &local);

@@ -46,7 +46,7 @@ impl Default for Settings {
 /// Measures of optimality at an iterate.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct Residuals {
-    /// Largest entry of the Lagrangian's gradient, scaled by the mean multiplier.
+    /// Largest entry of the Lagrangian's gradient, as a share of the largest entry of the objective's gradient.
     pub dual: f64,
     /// Largest violation of `c - s + e = 0` and of the equalities.
     pub primal: f64,
@@ -160,7 +160,7 @@ pub(crate) fn solve(
         if !work.newton.solve(&work.system, free_length, shift) {
             return SolverStatus::NumericalTrouble;
         }
-        let longest = work.newton.recover(state, &work.system);
+        let longest = work.newton.recover(state, &work.system, problem.frozen);
         work.line_search(problem, state, longest);
         state.iterations += 1;
     }
@@ -181,12 +181,8 @@ fn moved(a: &Iterate, b: &Iterate) -> f64 {
 
 /// Residuals at the assembled point.
 fn measure(state: &mut State, system: &System, free_length: bool) {
-    let mut sum = 0.0;
-    let mut count = 0.0;
     let mut r = Residuals::default();
     each_row!(state.set, row, {
-        sum += row.z;
-        count += 1.0;
         let (largest, products) = row.complementarity(state.mu);
         r.complementarity = r.complementarity.max(largest);
         r.gap += products;
@@ -194,8 +190,6 @@ fn measure(state: &mut State, system: &System, free_length: bool) {
     });
     state.force = 0.0;
     for (&lambda, step) in state.lambda.iter().zip(&system.steps) {
-        sum += lambda.abs();
-        count += 1.0;
         r.primal = r.primal.max(step.across.abs());
         state.force = state.force.max(lambda.abs());
     }
@@ -206,7 +200,8 @@ fn measure(state: &mut State, system: &System, free_length: bool) {
     if free_length {
         r.dual = r.dual.max(system.length.lagrangian.abs());
     }
-    r.dual /= (sum / count / 10.0).max(1.0);
+    let scale = system.objective.iter().fold(1.0_f64, |m, g| m.max(g.abs()));
+    r.dual /= scale;
     state.residuals = r;
 }
 

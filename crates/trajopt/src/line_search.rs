@@ -80,11 +80,12 @@ impl ActiveSet {
             }
         }
         for pair in &mut self.pairs {
-            let z = x.pair(pair.stage as usize);
+            let stage = pair.stage as usize;
+            let z = x.pair(stage);
             merit.add(
                 &mut pair.row,
                 alpha,
-                problem.pair_term(pair.kind, |t| t.value(&z)),
+                problem.pair_term(pair.kind, stage, |t| t.value(&z)),
             );
         }
         for point in &mut self.points {

@@ -76,7 +76,7 @@ impl Newton {
     }
 
     /// Steps of all rows, and new multipliers of the equalities (they always take the full step).
-    pub fn recover(&self, state: &mut State, system: &System) -> Longest {
+    pub fn recover(&self, state: &mut State, system: &System, frozen: Option<usize>) -> Longest {
         let count = state.x.stages.len();
         let mu = state.mu;
         let mut longest = Longest {
@@ -95,6 +95,9 @@ impl Newton {
                     turn
                 };
                 finish(row, mu, &[change], &mut longest);
+            }
+            if frozen == Some(at % 2) {
+                continue;
             }
             state.lambda[at] += (step.across + across) / DUAL_REGULARIZATION;
         }

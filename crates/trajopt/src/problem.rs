@@ -25,6 +25,27 @@ pub struct Problem {
     pub(crate) pieces: PieceIndex,
     /// How much is kept in reserve beyond each claim.
     pub reserve: Reserve,
+    /// What is asked of the separation between its bounds.
+    pub separation: SeparationRule,
+    /// Robot 0 (left) or 1 (right) that stays where it is, as in Algorithm 1.
+    pub frozen: Option<usize>,
+}
+
+/// What is asked of the separation `d`. All but the first are the paper's comparisons: studies, whose results break claims.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub enum SeparationRule {
+    /// The U-shaped cost J_e.
+    #[default]
+    UShape,
+    /// No expansion cost and no upper bound: whatever net length it takes (the paper's baseline 1).
+    Free,
+    /// `d = d_rest` from one waypoint to another, ramps at both ends (the paper's baseline 2).
+    Rigid {
+        /// First waypoint at rest.
+        from: usize,
+        /// Last waypoint at rest.
+        to: usize,
+    },
 }
 
 /// Margins beyond the claims: `clearance` is wished for and shrinks where there is no room, the rest makes up for what
@@ -67,6 +88,8 @@ impl Problem {
                 net_reach: 5e-4,
                 skew: 1e-3,
             },
+            separation: SeparationRule::UShape,
+            frozen: None,
         }
     }
 
@@ -82,8 +105,12 @@ impl Problem {
 
     pub(crate) fn expansion(&self) -> Expansion {
         let p = &self.planner;
+        let weight = match self.separation {
+            SeparationRule::Free => 0.0,
+            _ => p.a4,
+        };
         Expansion {
-            weight: p.a4,
+            weight,
             kd1: p.kd1,
             kd2: p.kd2,
             rest_ratio: p.rest_ratio,
@@ -108,7 +135,10 @@ impl Problem {
     }
 
     pub(crate) fn separation_below(&self) -> SeparationBelow {
-        SeparationBelow { reserve: 1e-6 }
+        SeparationBelow {
+            reserve: 1e-6,
+            ratio: 1.0,
+        }
     }
 
     pub(crate) fn net_reach(&self) -> NetReach {

@@ -8,10 +8,12 @@ pub struct SeparationAbove {
     pub ratio: f64,
 }
 
-/// `d <= d_max - reserve`: the net is long enough between the axle centers.
+/// `d <= ratio d_max - reserve`: the net is long enough between the axle centers (`ratio` 1).
 pub struct SeparationBelow {
     /// m.
     pub reserve: f64,
+    /// Share of the net length.
+    pub ratio: f64,
 }
 
 /// `sign d + offset + slope d_max` with derivatives.
@@ -38,10 +40,10 @@ impl Term<PAIR> for SeparationAbove {
 
 impl Term<PAIR> for SeparationBelow {
     fn value(&self, &[rx, ry, _, _, d_max]: &[f64; PAIR]) -> f64 {
-        d_max - self.reserve - rx.hypot(ry)
+        self.ratio * d_max - self.reserve - rx.hypot(ry)
     }
 
     fn jet(&self, &[rx, ry, _, _, d_max]: &[f64; PAIR]) -> Jet<PAIR> {
-        distance_jet(rx, ry, d_max, -1.0, -self.reserve, 1.0)
+        distance_jet(rx, ry, d_max, -1.0, -self.reserve, self.ratio)
     }
 }

@@ -1,0 +1,215 @@
+//! What is near: objects and obstacles that a robot or the line between the robots may touch soon, and where the line passes
+//! over each object.
+
+use crate::active::{ActiveSet, PointKind, PointRow, RungRow, Tier};
+use crate::constraints::HalfPlane;
+use crate::iterate::Iterate;
+use crate::problem::Problem;
+use crate::row::Row;
+use crate::term::Term;
+
+/// Objects and obstacles are in play up to this far beyond the distance that is kept from them, m.
+const LOOK_AHEAD: f64 = 0.35;
+/// Rows of the claim itself are in play up to this far, m.
+const CLAIM_AHEAD: f64 = 0.15;
+/// At most this many obstacle pieces a robot or line at a waypoint: the nearest ones.
+const MOST_PIECES: usize = 6;
+
+impl ActiveSet {
+    /// Looks up again what is near, keeping the multipliers of what stays in play.
+    pub fn refresh(&mut self, problem: &Problem, x: &Iterate, weight: f64, mu: f64) {
+        self.refresh_crossings(problem, x);
+        let old_points = std::mem::take(&mut self.points);
+        let old_rungs = std::mem::take(&mut self.rungs);
+        let mut near = Vec::new();
+        for i in 1..x.stages.len() - 1 {
+            for robot in 0..2 {
+                self.look_up_point(problem, x, (i, robot), weight, mu, &mut near);
+            }
+            self.look_up_rung(problem, x, i, weight, mu, &mut near);
+        }
+        carry_over(&mut self.points, &old_points, PointRow::key, |p| &mut p.row);
+        carry_over(&mut self.rungs, &old_rungs, RungRow::key, |r| &mut r.row);
+    }
+
+    fn look_up_point(
+        &mut self,
+        problem: &Problem,
+        x: &Iterate,
+        (stage, robot): (usize, u8),
+        weight: f64,
+        mu: f64,
+        near: &mut Vec<(f64, u32)>,
+    ) {
+        let p = x.position(stage, robot.into());
+        let value = |kind: &PointKind| problem.point_term(kind, |t| t.value(&p.into()));
+        let first = self.points.len();
+        let mut push = |kind: PointKind, c: f64, weight: f64| {
+            let row = Row::centered(c, weight, mu);
+            self.points.push(PointRow {
+                stage: stage as u32,
+                robot,
+                kind,
+                row,
+            });
+        };
+        let mut push_tiers = |kind: &dyn Fn(Tier) -> PointKind| {
+            for tier in Tier::BOTH {
+                let c = value(&kind(tier));
+                if tier == Tier::Margin || c < CLAIM_AHEAD {
+                    push(kind(tier), c, weight * tier.price());
+                }
+            }
+        };
+        for id in 0..problem.objects.len() as u32 {
+            let reach = problem.object_keep(id, Tier::Margin) + LOOK_AHEAD;
+            if (p - problem.objects[id as usize].0).norm_squared() < reach * reach {
+                push_tiers(&|tier| PointKind::Object(id, tier));
+            }
+        }
+        near.clear();
+        let reach = problem.robot.radius + problem.reserve.clearance + LOOK_AHEAD;
+        for &id in problem.pieces.near(p) {
+            if problem.pieces.get(id).may_be_near(p, p, reach) {
+                let c = value(&PointKind::Piece(id, Tier::Margin));
+                if c < LOOK_AHEAD {
+                    near.push((c, id));
+                }
+            }
+        }
+        for &id in keep_nearest(near) {
+            push_tiers(&|tier| PointKind::Piece(id, tier));
+        }
+        for (id, &crossing) in self.crossings.iter().enumerate() {
+            if crossing == stage {
+                let kind = PointKind::Side(id as u32, side_plane(problem, x, stage, id, robot));
+                push(kind, value(&kind), weight);
+            }
+        }
+        for side in 0..4 {
+            let kind = PointKind::Area(side);
+            let c = value(&kind);
+            if c < LOOK_AHEAD {
+                push(kind, c, f64::INFINITY);
+            }
+        }
+        self.points[first..].sort_by_key(PointRow::key);
+    }
+
+    fn look_up_rung(
+        &mut self,
+        problem: &Problem,
+        x: &Iterate,
+        stage: usize,
+        weight: f64,
+        mu: f64,
+        near: &mut Vec<(f64, u32)>,
+    ) {
+        near.clear();
+        let rung = x.rung(stage);
+        let (l, r) = (x.position(stage, 0), x.position(stage, 1));
+        let mut candidates: Vec<u32> = [l, r, l.lerp(r, 0.5)]
+            .iter()
+            .flat_map(|&p| problem.pieces.near(p).iter().copied())
+            .collect();
+        candidates.sort_unstable();
+        candidates.dedup();
+        for id in candidates {
+            let reach = problem.reserve.net_clearance + LOOK_AHEAD;
+            if problem.pieces.get(id).may_be_near(l, r, reach) {
+                let c = problem.rung_distance(id, Tier::Margin).value(&rung);
+                if c < LOOK_AHEAD {
+                    near.push((c, id));
+                }
+            }
+        }
+        for &piece in keep_nearest(near) {
+            for tier in Tier::BOTH {
+                let c = problem.rung_distance(piece, tier).value(&rung);
+                if tier == Tier::Margin || c < CLAIM_AHEAD {
+                    let row = Row::centered(c, weight * tier.price(), mu);
+                    self.rungs.push(RungRow {
+                        stage: stage as u32,
+                        piece,
+                        tier,
+                        row,
+                    });
+                }
+            }
+        }
+    }
+
+    /// The waypoint at which the rung passes over each object: of those where it does, the one nearest the object along the
+    /// direction of travel; else the one where it nearly does.
+    fn refresh_crossings(&mut self, problem: &Problem, x: &Iterate) {
+        let first = self.crossings.is_empty();
+        for (id, &(object, _)) in problem.objects.iter().enumerate() {
+            let n = x.stages.len();
+            let window = if first {
+                1..n - 1
+            } else {
+                let k = self.crossings[id];
+                k.saturating_sub(n / 8).max(1)..(k + n / 8).min(n - 1)
+            };
+            let miss = |i: usize| {
+                let (l, r) = (x.position(i, 0), x.position(i, 1));
+                let rung = l - r;
+                let length = rung.norm();
+                let along = (object - r).dot(rung) / length;
+                let ahead = (object - r).cross(rung).abs() / length;
+                ahead + 4.0 * (-along).max(along - length).max(0.0)
+            };
+            let best = window
+                .min_by(|&a, &b| miss(a).total_cmp(&miss(b)))
+                .unwrap_or(1);
+            if first {
+                self.crossings.push(best);
+            } else {
+                self.crossings[id] = best;
+            }
+        }
+    }
+}
+
+/// The half-plane of a robot beside an object that the rung passes over: beyond the distance that it keeps.
+fn side_plane(problem: &Problem, x: &Iterate, i: usize, object: usize, robot: u8) -> HalfPlane {
+    let (l, r) = (x.position(i, 0), x.position(i, 1));
+    let out = (l - r) / l.distance(r) * if robot == 0 { 1.0 } else { -1.0 };
+    let (center, keep) = problem.objects[object];
+    HalfPlane {
+        normal: out.into(),
+        offset: out.dot(center) + 0.9 * keep,
+    }
+}
+
+/// The ids of the nearest few, ascending.
+fn keep_nearest(near: &mut Vec<(f64, u32)>) -> impl Iterator<Item = &u32> {
+    near.sort_unstable_by(|a, b| a.0.total_cmp(&b.0).then(a.1.cmp(&b.1)));
+    near.truncate(MOST_PIECES);
+    near.sort_unstable_by_key(|n| n.1);
+    near.iter().map(|(_, id)| id)
+}
+
+/// Copies slack, violation and multiplier of rows that were there before; both lists ascend by key.
+fn carry_over<T, K: Ord, const N: usize>(
+    new: &mut [T],
+    old: &[T],
+    key: impl Fn(&T) -> K,
+    row: impl Fn(&mut T) -> &mut Row<N>,
+) where
+    T: Clone,
+{
+    let mut rest = old.iter().peekable();
+    for item in new {
+        let k = key(item);
+        while rest.next_if(|o| key(o) < k).is_some() {}
+        if let Some(o) = rest.next_if(|o| key(o) == k) {
+            let c = row(item).c;
+            let mut previous = o.clone();
+            *row(item) = *row(&mut previous);
+            let row = row(item);
+            row.c = c;
+            row.s = row.s.max(c + row.e);
+        }
+    }
+}
