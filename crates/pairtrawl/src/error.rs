@@ -51,10 +51,10 @@ pub enum PlanError {
 }
 
 impl PlanError {
-    /// There was not even a visiting order to try.
-    pub(crate) fn no_order() -> Self {
+    /// There was not even a start to try.
+    pub(crate) fn no_start() -> Self {
         Self::NoPlan {
-            reason: "there is no visiting order".to_owned(),
+            reason: "there is nothing to start from".to_owned(),
             claim: None,
             step: None,
             place: None,

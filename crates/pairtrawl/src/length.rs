@@ -1,6 +1,6 @@
 use crate::attempt::Course;
 use crate::run::Run;
-use crate::starts::{centerline_of, orders_of};
+use crate::starts::starts;
 use crate::tighten::Tightening;
 use crate::{Observer, PlanError, PlanOptions, RehearsalMode, Stage};
 use pairtrawl_certificate::infeasibility;
@@ -62,19 +62,14 @@ pub fn length_curve(
 ) -> Result<LengthCurve, PlanError> {
     let mut run = Run::new(options, observer);
     let world = run.stage(Stage::World, || World::new(scene, None))??;
-    let orders = run.stage(Stage::Order, || orders_of(&world, scene, options))??;
-    let order = orders.first().ok_or_else(PlanError::no_order)?;
-    let open = Course {
-        scene,
-        net_length: None,
-        world: &world,
-        order,
-        options,
-    };
-    let centerline = run.stage(Stage::Centerline, || centerline_of(&open))??;
+    let starts = run.stage(Stage::Order, || starts(&world, scene, options))??;
+    let start = starts.first().ok_or_else(PlanError::no_start)?;
+    let centerline = run.stage(Stage::Centerline, || {
+        start.centerline(&world, scene, options.seed)
+    })??;
     let given = options.waypoints.or(scene.planner.waypoints);
     let first = run.stage(Stage::Baseline, || {
-        baseline(&world, scene, &centerline, order, given)
+        baseline(&world, scene, &centerline, &start.order, given)
     })??;
     let fixed = PlanOptions {
         waypoints: Some(first.len()),
@@ -88,9 +83,11 @@ pub fn length_curve(
             return Err(proof.message);
         }
         let course = Course {
+            scene,
             net_length,
+            world: &world,
+            order: &start.order,
             options: &fixed,
-            ..open
         };
         let (mut tightening, mut nobody) = (Tightening::NONE, ());
         let attempt = course

@@ -9,10 +9,10 @@ pub struct PlanOptions {
     pub waypoints: Option<usize>,
     /// How the visiting order is found.
     pub order: OrderMethod,
-    /// Greatest number of visiting orders that are tried when no certified plan follows the shortest one.
+    /// Greatest number of visiting orders that are tried while no certified plan is found.
     pub orders: usize,
-    /// How the centerline is found.
-    pub centerline: CenterlineMethod,
+    /// How the centerline is found; `None`: by hybrid A*, and by RRT* when no certified plan follows from that.
+    pub centerline: Option<CenterlineMethod>,
     /// Seed of whatever is random: the centerline by RRT*.
     pub seed: u64,
     /// Gives up after this time, checked between steps of work.
@@ -32,7 +32,7 @@ impl Default for PlanOptions {
             waypoints: None,
             order: OrderMethod::Shortest,
             orders: 3,
-            centerline: CenterlineMethod::HybridAStar,
+            centerline: None,
             seed: 0,
             time_limit: None,
             rehearsal: RehearsalMode::Report,
@@ -67,6 +67,16 @@ pub enum CenterlineMethod {
     HybridAStar,
     /// Informed RRT*.
     RrtStar,
+}
+
+impl CenterlineMethod {
+    /// Its name for people.
+    pub const fn name(self) -> &'static str {
+        match self {
+            Self::HybridAStar => "hybrid A*",
+            Self::RrtStar => "RRT*",
+        }
+    }
 }
 
 /// What a rehearsal decides.

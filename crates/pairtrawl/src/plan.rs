@@ -3,10 +3,10 @@
 
 use crate::attempt::Course;
 use crate::run::Run;
-use crate::starts::{centerline_of, orders_of};
+use crate::starts::starts;
 use crate::{NetLength, Observer, PlanError, PlanOptions, Stage, waypoints};
 use pairtrawl_certificate::infeasibility;
-use pairtrawl_model::{Plan, Rehearsal, RehearsalRecord, Scene, SceneReference, StageTime};
+use pairtrawl_model::{Plan, RehearsalRecord, Scene, SceneReference, StageTime};
 use pairtrawl_world::World;
 
 /// A plan and what planning it showed.
@@ -46,36 +46,37 @@ pub fn plan(
         return Err(PlanError::Infeasible { proof });
     }
     let world = run.stage(Stage::World, || World::new(scene, net_length))??;
-    let orders = run.stage(Stage::Order, || orders_of(&world, scene, options))??;
+    let starts = run.stage(Stage::Order, || starts(&world, scene, options))??;
 
-    // The shortest order first; the next ones only when no certified plan follows it.
+    // The best start first; the others only while no certified plan is found.
     let mut refused = None;
-    for (rank, order) in orders.iter().enumerate() {
+    for start in &starts {
         let course = Course {
             scene,
             net_length,
             world: &world,
-            order,
+            order: &start.order,
             options,
         };
-        let centerline = run.stage(Stage::Centerline, || centerline_of(&course))?;
-        let attempt = centerline
+        let attempt = run
+            .stage(Stage::Centerline, || {
+                start.centerline(&world, scene, options.seed)
+            })?
             .map_err(PlanError::from)
             .and_then(|centerline| course.rehearsed_attempt(centerline, &mut run));
         match attempt {
             Ok((attempt, rehearsal)) => {
                 let mut plan = attempt.into_plan(&course, reference);
-                plan.rehearsal = rehearsal
-                    .as_ref()
-                    .map_or(Rehearsal::Skipped, |record| record.verdict.clone());
-                if rank > 0 {
-                    plan.warnings.push(other_order(rank));
+                if let Some(record) = &rehearsal {
+                    plan.rehearsal = record.verdict.clone();
                 }
-                let stages = run.stages;
+                if !start.warning.is_empty() {
+                    plan.warnings.push(start.warning.clone());
+                }
                 return Ok(Planned {
                     plan,
                     rehearsal,
-                    stages,
+                    stages: run.stages,
                 });
             }
             Err(error @ PlanError::NoPlan { .. }) => {
@@ -85,11 +86,5 @@ pub fn plan(
             Err(error) => return Err(error),
         }
     }
-    Err(refused.unwrap_or_else(PlanError::no_order))
-}
-
-/// A warning: the shortest visiting order did not do.
-fn other_order(rank: usize) -> String {
-    let shorter = if rank == 1 { "order" } else { "orders" };
-    format!("no certified plan was found for {rank} shorter visiting {shorter}")
+    Err(refused.unwrap_or_else(PlanError::no_start))
 }

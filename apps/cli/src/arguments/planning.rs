@@ -16,9 +16,9 @@ pub struct PlanningArguments {
     #[arg(long, value_enum, default_value_t = Order::Shortest)]
     pub order: Order,
 
-    /// How the pair's centerline is searched
-    #[arg(long, value_enum, default_value_t = Centerline::HybridAStar)]
-    pub centerline: Centerline,
+    /// How the pair's centerline is searched; left out: hybrid A*, then RRT* while no plan is found
+    #[arg(long, value_enum)]
+    pub centerline: Option<Centerline>,
 
     /// Seed of whatever is random: the centerline by RRT*
     #[arg(long, value_name = "S", default_value_t = 0)]
@@ -54,7 +54,7 @@ impl PlanningArguments {
             net_length: self.net_length,
             waypoints: self.waypoints.map(|n| n as usize),
             order: self.order.into(),
-            centerline: self.centerline.into(),
+            centerline: self.centerline.map(Into::into),
             seed: self.seed,
             time_limit: self.time_limit.map(std::time::Duration::from_secs_f64),
             rehearsal: match (self.no_rehearsal, self.require_rehearsal) {
