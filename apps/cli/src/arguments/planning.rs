@@ -9,7 +9,7 @@ pub struct PlanningArguments {
     pub net_length: Option<pairtrawl::NetLength>,
 
     /// Number of waypoints N instead of one that follows from the path length
-    #[arg(long, value_name = "N", value_parser = clap::value_parser!(u32).range(3..=1_000_000))]
+    #[arg(long, value_name = "N", value_parser = clap::value_parser!(u32).range(3..=100_000))]
     pub waypoints: Option<u32>,
 
     /// Visiting order: the scene's own, or the shortest
