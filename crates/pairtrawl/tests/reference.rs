@@ -1,0 +1,166 @@
+//! The reference of a plan: exact at waypoints, rolling without slip between them, smooth in time.
+
+mod drive;
+
+use pairtrawl::geometry::Point;
+use pairtrawl::model::PairTrajectory;
+use pairtrawl::reference::{Reference, ReferenceError, ReferenceLimits};
+use pairtrawl_control::ReferenceSample;
+
+fn reference(trajectory: &PairTrajectory) -> Reference {
+    Reference::new(&Default::default(), trajectory, &ReferenceLimits::default()).unwrap()
+}
+
+fn place(s: &ReferenceSample<f64>) -> Point {
+    Point::new(s.pose.x, s.pose.y)
+}
+
+/// The drive with a wait of three steps and a turn on the spot of the left robot, which ends its way.
+fn with_waits() -> PairTrajectory {
+    let mut t = drive::trajectory();
+    for _ in 0..3 {
+        t.left.insert(20, t.left[20]);
+        t.right.insert(20, t.right[20]);
+    }
+    for _ in 0..4 {
+        let mut left = *t.left.last().unwrap();
+        left.heading += 0.08;
+        t.left.push(left);
+        t.right.push(*t.right.last().unwrap());
+    }
+    t
+}
+
+#[test]
+fn both_robots_meet_every_waypoint_at_the_same_instant() {
+    for t in [drive::trajectory(), with_waits()] {
+        let r = reference(&t);
+        for i in 0..t.len() {
+            let pair = r.at(r.waypoint_time(i));
+            for (sample, pose) in [(pair.left, t.left[i]), (pair.right, t.right[i])] {
+                assert!(
+                    place(&sample).distance(pose.position()) < 1e-9,
+                    "waypoint {i}"
+                );
+                assert!(
+                    (sample.pose.heading - pose.heading).abs() < 1e-9,
+                    "waypoint {i}"
+                );
+            }
+        }
+        assert_eq!(r.waypoints(), t.len());
+        assert!(r.duration() > t.duration());
+    }
+}
+
+#[test]
+fn velocities_are_derivatives_and_there_is_no_slip() {
+    let t = with_waits();
+    let r = reference(&t);
+    let h = 1e-5;
+    let count = (r.duration() / 0.0137) as usize;
+    for k in 1..count {
+        let time = k as f64 * 0.0137;
+        let (before, now, after) = (r.at(time - h), r.at(time), r.at(time + h));
+        for (b, n, a) in [
+            (before.left, now.left, after.left),
+            (before.right, now.right, after.right),
+        ] {
+            let velocity = (place(&a) - place(&b)) / (2.0 * h);
+            let forward = Point::unit(n.pose.heading);
+            assert!(
+                (velocity.dot(forward) - n.velocity.linear).abs() < 1e-4,
+                "at {time}"
+            );
+            assert!(
+                velocity.cross(forward).abs() < 1e-4,
+                "slips at {time}: {}",
+                velocity.cross(forward)
+            );
+            let turn = (a.pose.heading - b.pose.heading) / (2.0 * h);
+            assert!((turn - n.velocity.angular).abs() < 1e-3, "at {time}");
+            let push = (a.velocity.linear - b.velocity.linear) / (2.0 * h);
+            // At a node of the time law the acceleration may jump: the difference lies between both sides.
+            assert!(
+                (push - n.acceleration.linear).abs() < 1.0,
+                "at {time}: {push} {}",
+                n.acceleration.linear
+            );
+        }
+    }
+}
+
+#[test]
+fn speeds_are_smooth_and_within_the_robots_limits() {
+    let t = with_waits();
+    let r = reference(&t);
+    let dt = 0.002;
+    let mut last = r.at(0.0);
+    assert_eq!(last.left.velocity.linear, 0.0);
+    let mut waited = false;
+    for k in 1..=(r.duration() / dt) as usize + 100 {
+        let now = r.at(k as f64 * dt);
+        for (a, b) in [(last.left, now.left), (last.right, now.right)] {
+            let jump = (b.velocity.linear - a.velocity.linear).abs() / dt;
+            let twist = (b.velocity.angular - a.velocity.angular).abs() / dt;
+            assert!(
+                jump < 1.0 && twist < 5.0,
+                "at {}: {jump} m/s^2, {twist} rad/s^2",
+                k as f64 * dt
+            );
+            let wheel = b.velocity.linear.abs() + 0.144 * b.velocity.angular.abs();
+            assert!(
+                wheel <= 0.26 && b.velocity.angular.abs() <= 1.82,
+                "wheel {wheel} m/s"
+            );
+        }
+        let middle = (k as f64 * dt - r.waypoint_time(21)).abs() < 0.1;
+        waited |= middle && now.left.velocity.linear == 0.0 && now.right.velocity.linear == 0.0;
+        last = now;
+    }
+    assert!(waited, "the pair must stand still in its wait");
+    assert_eq!(
+        (last.left.velocity.linear, last.left.velocity.angular),
+        (0.0, 0.0)
+    );
+}
+
+#[test]
+fn the_certificate_holds_on_the_reference_as_on_the_plan() {
+    let t = drive::trajectory();
+    let scene = drive::scene(&t);
+    let plan = pairtrawl_certificate::certify(&scene, drive::NET, &t);
+    let fine = reference(&t).certify(&scene, drive::NET);
+    for (a, b) in plan.claims.iter().zip(&fine.claims) {
+        assert!(
+            a.holds && b.holds,
+            "{}: {} on the plan, {} on the reference",
+            a.name,
+            a.margin,
+            b.margin
+        );
+    }
+}
+
+#[test]
+fn what_is_no_trajectory_is_refused() {
+    let make = |t: &PairTrajectory| {
+        Reference::new(&Default::default(), t, &ReferenceLimits::default()).unwrap_err()
+    };
+    let mut t = drive::trajectory();
+    let left = t.len();
+    t.right.pop();
+    let right = left - 1;
+    assert_eq!(make(&t), ReferenceError::Waypoints { left, right });
+    let mut t = drive::trajectory();
+    t.left[7].x = f64::NAN;
+    assert!(matches!(
+        make(&t),
+        ReferenceError::NotFinite { index: 7, .. }
+    ));
+    let t = PairTrajectory {
+        step_time: 0.0,
+        ..drive::trajectory()
+    };
+    assert!(make(&t).to_string().contains("step time"));
+}
