@@ -7,6 +7,8 @@ import mujoco
 import numpy as np
 
 ALONG, ACROSS, TURN = 10.0, 400.0, 10.0
+# Forces count from here until the plan's end, s.
+START = 1.0
 
 
 class Run:
@@ -58,7 +60,7 @@ def run(xml, settle_time=0.5):
     duration = step_time * (len(plans[0]) - 1) + settle_time
     places = [[model.joint(f"{side}_{axis}").qposadr[0] for axis in ("x", "y", "heading")] for side in ("left", "right")]
     motors = [[model.actuator(f"{side}_{axis}").id for axis in ("x", "y", "heading")] for side in ("left", "right")]
-    force = np.zeros(2)
+    force, counted = np.zeros(2), 0
     steps = math.ceil(duration / model.opt.timestep)
     gap = 0.0
     started = time.perf_counter()
@@ -73,6 +75,10 @@ def run(xml, settle_time=0.5):
             middle = heading + 0.5 * w * model.opt.timestep
             data.ctrl[motors[side]] = (v * math.cos(middle), v * math.sin(middle), w)
         mujoco.mj_step(model, data)
+        # While robots set off and stop, the actuators' explicit force is not what their implicit integration applies.
+        if not START < when < duration - settle_time:
+            continue
+        counted += 1
         for side in range(2):
             f = data.actuator_force[motors[side]]
             force[side] += f[0] * math.cos(headings[side]) + f[1] * math.sin(headings[side])
@@ -83,7 +89,7 @@ def run(xml, settle_time=0.5):
     net = [data.xpos[i][:2].copy() for _, i in links] + [data.site("net_end").xpos[:2].copy()]
     count = sum(model.body(i).name.startswith("object_") for i in range(model.nbody))
     objects = [data.body(f"object_{i}").xpos[:2].copy() for i in range(count)]
-    return Run(net, objects, force / steps, duration / seconds, gap)
+    return Run(net, objects, force / counted, duration / seconds, gap)
 
 
 def encloses(net, place):

@@ -60,7 +60,7 @@ def built_in():
     bend = [(10 + 5 * i, (0.08, -0.05, 0.1, 0.0, -0.09)[i], 0.025) for i in range(5)]
     clutter = [(10 + 2 * (i // 5), 0.06 * (i % 5) - 0.12 + 0.004 * i, 0.025) for i in range(20)]
     snake = [(10 + 10 * i, (0.08, -0.06, 0.1, -0.1, 0.02, 0.09, -0.08, 0.05)[i], 0.015 + 0.005 * i) for i in range(8)]
-    arc = [(10 + 7 * i, (0.07, -0.07, 0.1, -0.1, 0.0)[i % 5], 0.025) for i in range(10)]
+    arc = [(10 + 8 * i, (0.1, -0.1, 0.04, -0.05)[i % 4], 0.025) for i in range(10)]
     return [
         drive("straight", 0.3, 48, lambda t: 0.0, file, 1.5),
         drive("turn", 0.35, 48, lambda t: -0.12, bend, 1.6),
