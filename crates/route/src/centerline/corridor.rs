@@ -112,3 +112,41 @@ impl Corridor<'_> {
         Some(penalty)
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::terrain::tests::{box_distance, pair_pose, scene};
+
+    #[test]
+    fn objects_cost_where_a_robot_would_drive_over_them_and_narrowness_costs_until_it_forbids() {
+        let s = scene(
+            10.0,
+            6.0,
+            &[[5.0, 3.0]],
+            pair_pose(1.0, 1.0, 0.0),
+            pair_pose(9.0, 1.0, 0.0),
+        );
+        let wall = |p| box_distance(p, [-1.0, 5.0, 11.0, 7.0]);
+        let terrain = Terrain::sample(&s, wall);
+        let corridor = Corridor {
+            terrain: &terrain,
+            strictness: LADDER[0],
+        };
+        let at = |x, y| corridor.penalty(Pose::new(x, y, 0.0));
+        let (middle, track, outside) = (at(5.0, 3.0), at(5.0, 2.7), at(5.0, 2.3));
+        assert!(middle.is_some_and(|p| p < 0.2), "{middle:?}");
+        assert!(track.is_some_and(|p| p > 0.8), "{track:?}");
+        assert_eq!(outside, Some(0.0));
+        // Only abreast: past the object nothing is left of it.
+        assert_eq!(at(5.3, 2.7), Some(0.0));
+        // Along the wall: free, dear, impossible. Across it only the midpoint and the robot ahead of it matter.
+        let (free, dear, dearer) = (at(2.0, 4.4), at(2.0, 4.55), at(2.0, 4.65));
+        assert_eq!(free, Some(0.0));
+        assert!(
+            dear.is_some_and(|p| p > 0.3) && dearer > dear,
+            "{dear:?} {dearer:?}"
+        );
+        assert_eq!(at(2.0, 4.75), None);
+    }
+}
