@@ -75,10 +75,11 @@ fn monte_carlo_table(
             };
             for row in monte_carlo(scene, trajectory, &options, &())?.rows {
                 println!(
-                    "{:12} success {:5.1} % stopped {:4} rms {:.3?} max {:.3?} m torque {:.2} N m",
+                    "{:12} success {:5.1} % stopped {:4} beyond traction {:3} rms {:.3?} max {:.3?} m torque {:.2} N m",
                     row.controller.name(),
                     100.0 * row.successes as f64 / row.runs as f64,
                     row.stopped,
+                    row.failures_beyond_traction,
                     row.rms,
                     row.max,
                     row.max_torque

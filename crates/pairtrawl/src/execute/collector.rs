@@ -86,8 +86,8 @@ impl Collector {
             robots.left.position().distance(targets.left.position()),
             robots.right.position().distance(targets.right.position()),
         ];
-        for side in 0..2 {
-            self.errors[side].take(time, error[side]);
+        for (collector, error) in self.errors.iter_mut().zip(error) {
+            collector.take(time, error);
         }
         if time + 1e-9 < self.samples.len() as f64 * self.sample_interval {
             return;

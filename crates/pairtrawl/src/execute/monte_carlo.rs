@@ -71,6 +71,8 @@ pub struct MonteCarloRow {
     pub successes: usize,
     /// Of these, how many the supervisor stopped.
     pub stopped: usize,
+    /// Runs that did not succeed and asked a wheel for more force than its tire can pass to the floor: no law could.
+    pub failures_beyond_traction: usize,
     /// 50, 90 and 99 % quantiles of a run's root mean square error, m, after the first second and until the end or the stop.
     pub rms: [f64; 3],
     /// The same of a run's greatest error, m.
@@ -110,15 +112,23 @@ pub fn monte_carlo(
                 }
                 let outcome =
                     one_run(scene, &reference, options, controller, run as u64, observer)?;
-                observer.finished(row * options.runs + run);
+                if outcome.is_some() {
+                    observer.finished(row * options.runs + run);
+                }
                 Ok(outcome)
             })
             .collect::<Result<Vec<_>, ExecutionError>>()?;
-        let finished: Vec<ReducedOutcome> = outcomes.into_iter().flatten().collect();
+        let finished: Vec<Run> = outcomes.into_iter().flatten().collect();
         interrupted |= finished.len() < options.runs;
         rows.push(summarize(controller, &finished, options.tolerance));
     }
     Ok(MonteCarlo { rows, interrupted })
+}
+
+/// What came of a run, and whether its drag was more than the tires could bear.
+struct Run {
+    outcome: ReducedOutcome,
+    beyond_traction: bool,
 }
 
 fn one_run(
@@ -128,7 +138,7 @@ fn one_run(
     kind: ControllerKind,
     run: u64,
     observer: &dyn ExecutionObserver,
-) -> Result<Option<ReducedOutcome>, ExecutionError> {
+) -> Result<Option<Run>, ExecutionError> {
     // Drawn from the run's own seed, so that every law meets the same conditions.
     let seed = mixed_seed(options.seed, run);
     let mut draw = Normal::new(seed);
@@ -164,7 +174,12 @@ fn one_run(
         drag: &|time| drags.each_ref().map(|d| d.at(time)),
         seeds: [mixed_seed(seed, 1), mixed_seed(seed, 2)],
     };
-    Ok(run.drive(observer)?)
+    let beyond_traction = (plants.iter().zip(&drags))
+        .any(|(plant, drag)| drag.greatest_wheel_force(plant) > plant.traction);
+    Ok(run.drive(observer)?.map(|outcome| Run {
+        outcome,
+        beyond_traction,
+    }))
 }
 
 /// A drag that grows in eight even steps and whose direction swings.
@@ -196,6 +211,14 @@ impl GrowingDrag {
         }
     }
 
+    /// The greatest force that standing against it asks of one wheel, N.
+    fn greatest_wheel_force(&self, plant: &PlantParameters) -> f64 {
+        // cos a + (hitch / R) sin a is greatest where tan a = hitch / R.
+        let lever = plant.hitch / plant.half_track;
+        let angle = self.swing.min(lever.atan());
+        0.5 * self.force * (angle.cos() + lever * angle.sin())
+    }
+
     /// The drag at a time, s.
     pub fn at(&self, time: f64) -> Drag {
         let step = (time / self.duration * DRAG_STEPS)
@@ -209,25 +232,26 @@ impl GrowingDrag {
     }
 }
 
-fn summarize(
-    controller: ControllerKind,
-    outcomes: &[ReducedOutcome],
-    tolerance: f64,
-) -> MonteCarloRow {
+fn summarize(controller: ControllerKind, runs: &[Run], tolerance: f64) -> MonteCarloRow {
+    let succeeds = |r: &Run| r.outcome.stopped.is_none() && r.outcome.worst() <= tolerance;
     let quantiles = |value: &dyn Fn(&ReducedOutcome) -> f64| {
-        let mut values: Vec<f64> = outcomes.iter().map(value).collect();
+        let mut values: Vec<f64> = runs.iter().map(|r| value(&r.outcome)).collect();
         [0.5, 0.9, 0.99].map(|q| quantile(&mut values, q))
     };
     MonteCarloRow {
         controller,
-        runs: outcomes.len(),
-        successes: outcomes
+        runs: runs.len(),
+        successes: runs.iter().filter(|r| succeeds(r)).count(),
+        stopped: runs.iter().filter(|r| r.outcome.stopped.is_some()).count(),
+        failures_beyond_traction: runs
             .iter()
-            .filter(|o| o.stopped.is_none() && o.worst() <= tolerance)
+            .filter(|r| !succeeds(r) && r.beyond_traction)
             .count(),
-        stopped: outcomes.iter().filter(|o| o.stopped.is_some()).count(),
         rms: quantiles(&ReducedOutcome::rms),
         max: quantiles(&ReducedOutcome::worst),
-        max_torque: outcomes.iter().map(|o| o.max_torque).fold(0.0, f64::max),
+        max_torque: runs
+            .iter()
+            .map(|r| r.outcome.max_torque)
+            .fold(0.0, f64::max),
     }
 }

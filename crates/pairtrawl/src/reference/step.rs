@@ -5,7 +5,7 @@ const NODES: [(f64, f64); 6] = [
     (0.033_765_242_898_423_99, 0.085_662_246_189_585_17),
     (0.169_395_306_766_867_76, 0.180_380_786_524_069_3),
     (0.380_690_406_958_401_55, 0.233_956_967_286_345_52),
-    (0.619_309_593_041_598_45, 0.233_956_967_286_345_52),
+    (0.619_309_593_041_598_4, 0.233_956_967_286_345_52),
     (0.830_604_693_233_132_2, 0.180_380_786_524_069_3),
     (0.966_234_757_101_576, 0.085_662_246_189_585_17),
 ];
@@ -64,7 +64,7 @@ impl RollingStep {
             for (w, weight) in NODES {
                 let forward = Point::unit(self.heading(w));
                 let bump = w * (1.0 - w);
-                miss = miss - forward * (weight * self.speed_at(w));
+                miss -= forward * (weight * self.speed_at(w));
                 by_a += forward * (weight * 6.0 * bump);
                 by_b += forward.perp() * (weight * self.speed_at(w) * bump * bump);
             }
