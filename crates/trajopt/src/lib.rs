@@ -40,3 +40,6 @@ pub use cost::evaluate;
 pub use interior_point::{Residuals, Settings};
 pub use optimise::{ShrunkMargin, Solution, Violation, optimise, optimise_watched};
 pub use problem::{Problem, Reserve, SeparationRule};
+
+#[cfg(test)]
+mod tests;

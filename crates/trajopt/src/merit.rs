@@ -40,9 +40,11 @@ impl LogarithmSum {
     /// Adds the logarithm of a positive number; of anything else the sum becomes NaN.
     #[inline]
     pub fn push(&mut self, value: f64) {
-        self.product *= value;
-        if !(1e-200..1e200).contains(&self.product) {
-            self.sum += (self.product / value).ln() + value.ln();
+        let product = self.product * value;
+        if (1e-200..1e200).contains(&product) {
+            self.product = product;
+        } else {
+            self.sum += self.product.ln() + value.ln();
             self.product = 1.0;
         }
     }

@@ -59,6 +59,14 @@ fn nearest(region: &Piece, l: Point, r: Point) -> Nearest {
             (gap_r, Nearest::Right)
         }
     };
+    if region.edges.is_empty() {
+        // A disc: its center lies over the inside of the line, or an end is nearest, overlapping or not.
+        return if over.0.is_finite() {
+            over.1
+        } else {
+            nearer_end().1
+        };
+    }
     if line_gap > 0.0 {
         let end = nearer_end();
         return if over.0 < end.0 { over.1 } else { end.1 };
@@ -70,9 +78,6 @@ fn nearest(region: &Piece, l: Point, r: Point) -> Nearest {
         if left.min(right) > axis.0 {
             axis = (left.min(right), Nearest::Axis(a, n, left < right));
         }
-    }
-    if region.edges.is_empty() {
-        axis = nearer_end();
     }
     if axis.0 > 0.0 {
         return nearer_end().1;

@@ -1,0 +1,196 @@
+//! One inequality of the interior point, and the sum of logarithms.
+
+use super::between;
+use crate::merit::{LogarithmSum, Merit};
+use crate::row::Row;
+use fastrand::Rng;
+
+fn close(a: f64, b: f64, relative: f64) -> bool {
+    (a - b).abs() <= relative * (1e-300 + a.abs().max(b.abs()))
+}
+
+#[test]
+fn centered_rows_lie_on_the_central_path() {
+    for c in [-2.0, -0.1, -1e-6, 0.0, 1e-9, 1e-3, 0.4, 30.0] {
+        for weight in [20.0, 3e3, 1e6] {
+            for mu in [1.0, 1e-3, 1e-6] {
+                let row = Row::<1>::centered(c, weight, mu);
+                let at = format!("c {c}, weight {weight}, mu {mu}: {row:?}");
+                assert!(
+                    row.s > 0.0 && row.e > 0.0 && row.z > 0.0 && row.y() > 0.0,
+                    "{at}"
+                );
+                assert!(close(row.s * row.z, mu, 1e-9), "s z: {at}");
+                // y is a difference: what it lost in digits is no concern of the row.
+                let digits = 1e-9 + 1e-15 * weight / row.y();
+                assert!(close(row.e * row.y(), mu, digits), "e y: {at}");
+                assert!(row.residual().abs() <= 1e-12 * (1.0 + c.abs()), "{at}");
+            }
+        }
+    }
+}
+
+#[test]
+fn hard_rows_are_centered_where_they_can_be() {
+    let feasible = Row::<1>::centered(0.3, f64::INFINITY, 1e-2);
+    assert_eq!((feasible.s, feasible.e), (0.3, 0.0));
+    assert!(close(feasible.s * feasible.z, 1e-2, 1e-12) && feasible.residual() == 0.0);
+    // A violated hard row keeps a positive slack and a residual that shows it.
+    let violated = Row::<1>::centered(-0.2, f64::INFINITY, 1e-2);
+    assert!(violated.s > 0.0 && violated.e == 0.0 && violated.z > 0.0);
+    assert!(close(violated.s * violated.z, 1e-2, 1e-12));
+    assert!(violated.residual() < -0.2);
+}
+
+/// A row off the central path.
+fn random_row(random: &mut Rng, weight: f64) -> Row<1> {
+    let mut row = Row::centered(between(random, -0.3, 0.3), weight, 1e-2);
+    row.s *= between(random, 0.3, 3.0);
+    if weight.is_finite() {
+        row.e *= between(random, 0.3, 3.0);
+        row.z = between(random, 0.05, 0.95) * weight;
+    } else {
+        row.z *= between(random, 0.3, 3.0);
+    }
+    row
+}
+
+#[test]
+fn recovered_steps_solve_the_linearized_equations() {
+    let mut random = Rng::with_seed(15);
+    for weight in [20.0, 3e3, f64::INFINITY] {
+        for _ in 0..200 {
+            let mut row = random_row(&mut random, weight);
+            let (mu, dc) = (1e-3, between(&mut random, -0.1, 0.1));
+            let residual = row.residual() + between(&mut random, -1e-2, 1e-2);
+            row.recover(mu, residual, dc);
+            let zero = |value: f64, scale: f64, what: &str| {
+                assert!(value.abs() <= 1e-10 * scale, "{what} {value}: {row:?}");
+            };
+            let (s, z, e) = (row.s, row.z, row.e);
+            let slack = s * z + z * row.ds + s * row.dz - mu;
+            zero(
+                slack,
+                s * z + (z * row.ds).abs() + (s * row.dz).abs(),
+                "s z = mu",
+            );
+            if weight.is_finite() {
+                let y = row.y();
+                let elastic = e * y + y * row.de - e * row.dz - mu;
+                zero(
+                    elastic,
+                    e * y + (y * row.de).abs() + (e * row.dz).abs(),
+                    "e y = mu",
+                );
+            } else {
+                assert_eq!(row.de, 0.0);
+            }
+            let sum = residual + dc - row.ds + row.de;
+            zero(sum, 1e-3 + row.ds.abs() + row.de.abs(), "c - s + e = 0");
+        }
+    }
+}
+
+#[test]
+fn the_condensed_row_is_the_newton_system_with_its_unknowns_eliminated() {
+    // With dc = g dx, the row adds -(z + dz) g to the stationarity: -force g + sigma g g dx.
+    let mut random = Rng::with_seed(16);
+    for weight in [20.0, f64::INFINITY] {
+        let mut row = random_row(&mut random, weight);
+        let condensed = row.condense(1e-3, row.residual());
+        for dc in [-0.1, 0.0, 0.07] {
+            row.recover(1e-3, row.residual(), dc);
+            let eliminated = condensed.force - condensed.sigma * dc;
+            assert!(close(row.z + row.dz, eliminated, 1e-12));
+        }
+    }
+}
+
+#[test]
+fn steps_stay_inside() {
+    let mut random = Rng::with_seed(17);
+    for weight in [20.0, f64::INFINITY] {
+        let mut limited = 0;
+        for _ in 0..300 {
+            let mut row = random_row(&mut random, weight);
+            let change = between(&mut random, -2.0, 2.0);
+            row.recover(1e-4, row.residual(), change);
+            let (mut primal, mut dual) = (1.0, 1.0);
+            row.limit_steps(0.99, &mut primal, &mut dual);
+            assert!(primal > 0.0 && primal <= 1.0 && dual > 0.0 && dual <= 1.0);
+            // Nothing loses more than 99 % of what it has; the limit is attained when there is one.
+            let left = |value: f64, change: f64, step: f64| (value + step * change) / value;
+            let mut primal_shares = vec![left(row.s, row.ds, primal)];
+            let mut dual_shares = vec![left(row.z, row.dz, dual)];
+            if weight.is_finite() {
+                primal_shares.push(left(row.e, row.de, primal));
+                dual_shares.push(left(row.y(), -row.dz, dual));
+            }
+            for (step, shares) in [(primal, primal_shares), (dual, dual_shares)] {
+                let least = shares.iter().copied().fold(f64::INFINITY, f64::min);
+                assert!(least >= 0.01 - 1e-9, "{least} of {row:?}");
+                if step < 1.0 {
+                    limited += 1;
+                    assert!(least <= 0.01 + 1e-9, "{least} of {row:?}");
+                }
+            }
+        }
+        assert!(limited > 50, "only {limited} steps were limited");
+    }
+}
+
+#[test]
+fn stepped_rows_give_back_slack_that_they_do_not_need() {
+    let mut row = Row::<1>::centered(0.1, 20.0, 1e-3);
+    (row.ds, row.de, row.dz) = (0.02, 0.001, 0.5);
+    let (s, e) = row.stepped(0.5, 0.4);
+    assert!(close(e, row.e + 0.0005, 1e-12) && close(s, 0.4 + e, 1e-12));
+    let (s, _) = row.stepped(0.5, -1.0);
+    assert!(close(s, row.s + 0.01, 1e-12), "but never more than that");
+    let (z, expected) = (row.z, row.s + 0.01);
+    row.trial = -1.0;
+    row.advance(0.5, 0.25);
+    assert_eq!((row.c, row.s, row.z), (-1.0, expected, z + 0.125));
+}
+
+#[test]
+fn barrier_slope_is_that_of_the_barrier() {
+    let mut random = Rng::with_seed(18);
+    for weight in [20.0, f64::INFINITY] {
+        let mut row = random_row(&mut random, weight);
+        let residual = row.residual();
+        row.recover(1e-3, residual, 0.03);
+        let (mu, h) = (1e-2, 1e-6);
+        let barrier = |t: f64| {
+            let mut merit = Merit::default();
+            row.add_to(&mut merit, row.s + t * row.ds, row.e + t * row.de);
+            merit.phi(mu)
+        };
+        let found = (barrier(h) - barrier(-h)) / (2.0 * h);
+        assert!(
+            close(row.barrier_slope(mu), found, 1e-5),
+            "{} {found}",
+            row.barrier_slope(mu)
+        );
+    }
+}
+
+#[test]
+fn logarithms_add_up() {
+    let mut random = Rng::with_seed(19);
+    let mut sum = LogarithmSum::default();
+    let mut plain = 0.0;
+    assert_eq!(sum.sum(), 0.0);
+    for _ in 0..5000 {
+        // Products run out of either end of the range of numbers, now and then at once.
+        let value = 10.0_f64.powf(between(&mut random, -180.0, 150.0));
+        sum.push(value);
+        plain += value.ln();
+    }
+    assert!(close(sum.sum(), plain, 1e-11), "{} {plain}", sum.sum());
+    for bad in [0.0, -1.0, f64::NAN] {
+        let mut sum = LogarithmSum::default();
+        sum.push(bad);
+        assert!(!sum.sum().is_finite(), "{bad}");
+    }
+}
