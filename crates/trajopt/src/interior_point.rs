@@ -43,6 +43,16 @@ impl Default for Settings {
     }
 }
 
+impl Settings {
+    /// For a start that is nearly optimal already, such as the plan before a small change of the scene.
+    pub fn warm() -> Self {
+        Self {
+            initial_mu: 1e-3,
+            ..Self::default()
+        }
+    }
+}
+
 /// Measures of optimality at an iterate.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct Residuals {

@@ -17,6 +17,7 @@
 
 #[macro_use]
 mod active;
+mod alternating;
 mod assembly;
 mod constraints;
 mod cost;
@@ -36,9 +37,10 @@ mod row;
 mod step;
 mod term;
 
+pub use alternating::{Alternation, FirstLength, alternate};
 pub use cost::evaluate;
 pub use interior_point::{Residuals, Settings};
-pub use optimise::{ShrunkMargin, Solution, Violation, optimise, optimise_watched};
+pub use optimise::{ShrunkMargin, Solution, Violation, optimise, optimise_from, optimise_watched};
 pub use problem::{Problem, Reserve, SeparationRule};
 
 #[cfg(test)]

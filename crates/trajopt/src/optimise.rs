@@ -71,6 +71,17 @@ pub fn optimise_watched(
     let net_length = problem
         .net_length
         .unwrap_or_else(|| first_net_length(problem, start));
+    optimise_from(problem, start, net_length, settings, go_on)
+}
+
+/// As [`optimise_watched`], from a given net length when that is free.
+pub fn optimise_from(
+    problem: &Problem,
+    start: &PairTrajectory,
+    net_length: f64,
+    settings: &Settings,
+    go_on: &mut dyn FnMut(usize, &Residuals) -> bool,
+) -> Solution {
     let mut x = Iterate::from_trajectory(start, net_length);
     fix_ends(problem, &mut x);
     let mut settings = *settings;

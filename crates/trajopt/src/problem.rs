@@ -93,6 +93,31 @@ impl Problem {
         }
     }
 
+    /// The paper's baseline 2 for `waypoints` waypoints: the separation of rest but for the shortest ramps at both ends that
+    /// steps and turns allow. The net length must be given.
+    pub fn with_rigid_separation(mut self, waypoints: usize, net_length: f64) -> Self {
+        let rest = self.planner.rest_ratio * net_length;
+        let ramp = |pair: &PairPose| 1 + self.ramp_steps((pair.separation() - rest).abs());
+        let (from, ramp_down) = (ramp(&self.start), ramp(&self.end));
+        let to = waypoints.saturating_sub(1 + ramp_down).max(from);
+        self.separation = SeparationRule::Rigid { from, to };
+        self.net_length = Some(net_length);
+        self
+    }
+
+    /// Fewest steps in which a pair that drives abreast, and does so again at the end, changes its separation by `change`:
+    /// both robots turn away from each other as fast as they may, drive at full step, and turn back.
+    fn ramp_steps(&self, change: f64) -> usize {
+        let p = &self.planner;
+        let reached = |steps: usize| -> f64 {
+            let skew = |k: usize| (k.min(steps - k) as f64 * p.max_turn).min(p.max_skew);
+            (0..steps)
+                .map(|k| 2.0 * p.max_step * (0.5 * (skew(k) + skew(k + 1))).sin())
+                .sum()
+        };
+        (0..).find(|&steps| reached(steps) >= change).unwrap_or(0)
+    }
+
     /// Cost of a meter driven.
     pub(crate) fn distance_weight(&self) -> f64 {
         self.planner.a2 * self.planner.t1
