@@ -3,7 +3,7 @@
 //! `cargo run --release --example control_study -- SCENE PLAN monte-carlo [RUNS]`
 //! `cargo run --release --example control_study -- SCENE PLAN load-steps`
 //! `cargo run --release --example control_study -- SCENE PLAN payload`
-//! `cargo run --release --example control_study -- SCENE PLAN trials [TRIALS]`
+//! `cargo run --release --example control_study -- SCENE PLAN trials [TRIALS [LAW]]`
 //! `cargo run --release --example control_study -- SCENE PLAN record FOLDER`
 
 use pairtrawl::execute::{
@@ -33,7 +33,13 @@ fn main() -> Result<(), Box<dyn Error>> {
         "monte-carlo" => monte_carlo_table(scene, trajectory, count(1000)?),
         "load-steps" => load_steps(scene, trajectory),
         "payload" => payload(scene, length, trajectory),
-        "trials" => trials(scene, length, trajectory, count(5)?),
+        "trials" => trials(
+            scene,
+            length,
+            trajectory,
+            count(5)?,
+            rest.get(1).map(String::as_str),
+        ),
         "record" => {
             let folder = rest.first().ok_or("give a folder")?;
             let options = ExecutionOptions {
@@ -204,8 +210,10 @@ fn trials(
     length: f64,
     trajectory: &PairTrajectory,
     count: usize,
+    law: Option<&str>,
 ) -> Result<(), Box<dyn Error>> {
-    for kind in ControllerKind::ALL {
+    let wanted = |kind: &ControllerKind| law.is_none_or(|name| kind.name() == name);
+    for kind in ControllerKind::ALL.into_iter().filter(wanted) {
         let options = ExecutionOptions {
             controller: kind,
             trials: count,
