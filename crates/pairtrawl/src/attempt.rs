@@ -8,10 +8,13 @@ use pairtrawl_model::{
     Certificate, Overrides, PairTrajectory, Plan, Rehearsal, RehearsalRecord, Scene,
     SceneReference, SolverReport,
 };
-use pairtrawl_route::baseline;
+use pairtrawl_route::{RouteError, baseline};
 use pairtrawl_simulation::rehearse;
 use pairtrawl_trajopt::{Problem, Settings, ShrunkMargin, evaluate, optimise_watched};
 use pairtrawl_world::World;
+
+/// First barrier parameter of a warm start.
+const WARM_MU: f64 = 1e-3;
 
 /// Everything that stays the same while attempts at a plan are made.
 pub(crate) struct Course<'a> {
@@ -21,6 +24,34 @@ pub(crate) struct Course<'a> {
     pub world: &'a World,
     pub order: &'a [usize],
     pub options: &'a PlanOptions,
+}
+
+/// What an attempt starts from.
+pub(crate) enum Origin<'a> {
+    /// A centerline: the baseline follows from it.
+    Centerline(Vec<Pose>),
+    /// The rest of a plan that was made before.
+    Before(&'a PairTrajectory),
+}
+
+impl Origin<'_> {
+    fn centerline(&self) -> &[Pose] {
+        match self {
+            Self::Centerline(line) => line,
+            Self::Before(_) => &[],
+        }
+    }
+
+    /// From a good start the barrier begins low.
+    fn settings(&self) -> Settings {
+        match self {
+            Self::Centerline(_) => Settings::default(),
+            Self::Before(_) => Settings {
+                initial_mu: WARM_MU,
+                ..Settings::default()
+            },
+        }
+    }
 }
 
 /// A pair of trajectories with its verdict.
@@ -39,11 +70,11 @@ impl Course<'_> {
     /// more margin, a bounded number of times; the one with the fewest events counts.
     pub fn rehearsed_attempt(
         &self,
-        centerline: Vec<Pose>,
+        origin: &Origin,
         run: &mut Run,
     ) -> Result<(Attempt, Option<RehearsalRecord>), PlanError> {
         let mut tightening = Tightening::NONE;
-        let mut best = self.certified_attempt(&centerline, &mut tightening, run)?;
+        let mut best = self.certified_attempt(origin, &mut tightening, run)?;
         if self.options.rehearsal == RehearsalMode::Skip {
             return Ok((best, None));
         }
@@ -57,7 +88,7 @@ impl Course<'_> {
             ));
             tightening = tightening.after_event(&failed.kind);
             run.round += 1;
-            match self.certified_attempt(&centerline, &mut tightening, run) {
+            match self.certified_attempt(origin, &mut tightening, run) {
                 Ok(next) => {
                     let next_record = self.rehearse(&next, run)?;
                     event = next_record.events.first().cloned();
@@ -80,18 +111,18 @@ impl Course<'_> {
     /// budget of rounds.
     pub fn certified_attempt(
         &self,
-        centerline: &[Pose],
+        origin: &Origin,
         tightening: &mut Tightening,
         run: &mut Run,
     ) -> Result<Attempt, PlanError> {
-        let mut best = self.attempt(centerline, tightening, run)?;
+        let mut best = self.attempt(origin, tightening, run)?;
         for _ in 1..self.options.rounds {
             if best.certificate.is_valid() {
                 break;
             }
             *tightening = tightening.after_claims(&best.certificate);
             run.round += 1;
-            let next = self.attempt(centerline, tightening, run)?;
+            let next = self.attempt(origin, tightening, run)?;
             if next.failures() <= best.failures() {
                 best = next;
             }
@@ -106,33 +137,16 @@ impl Course<'_> {
     /// One attempt.
     fn attempt(
         &self,
-        centerline: &[Pose],
+        origin: &Origin,
         tightening: &Tightening,
         run: &mut Run,
     ) -> Result<Attempt, PlanError> {
-        let Self {
-            scene,
-            world,
-            order,
-            ..
-        } = *self;
-        let given = self.options.waypoints.or(scene.planner.waypoints);
-        let baseline = run.stage(Stage::Baseline, || match given {
-            Some(_) => baseline(world, scene, centerline, order, given),
-            None => baseline(world, scene, centerline, order, None).and_then(|first| {
-                match (first.len() as f64 * tightening.waypoints).round() as usize {
-                    more if more > first.len() => {
-                        baseline(world, scene, centerline, order, Some(more))
-                    }
-                    _ => Ok(first),
-                }
-            }),
-        })??;
-
+        let Self { scene, world, .. } = *self;
+        let baseline = run.stage(Stage::Baseline, || self.baseline(origin, tightening))??;
         let mut problem = Problem::new(scene, self.net_length, &world.pieces);
         tightening.apply(&mut problem);
         let solution = run.watched_stage(Stage::Optimise, |may_go_on| {
-            optimise_watched(&problem, &baseline, &Settings::default(), &mut |_, _| {
+            optimise_watched(&problem, &baseline, &origin.settings(), &mut |_, _| {
                 may_go_on()
             })
         })?;
@@ -158,10 +172,36 @@ impl Course<'_> {
             },
             net_length: solution.net_length,
             trajectory: solution.trajectory,
-            centerline: centerline.to_vec(),
+            centerline: origin.centerline().to_vec(),
             baseline,
             certificate,
         })
+    }
+
+    /// The trajectories that the optimization starts from.
+    fn baseline(
+        &self,
+        origin: &Origin,
+        tightening: &Tightening,
+    ) -> Result<PairTrajectory, RouteError> {
+        let Self {
+            scene,
+            world,
+            order,
+            options,
+            ..
+        } = *self;
+        let line = match origin {
+            Origin::Before(trajectory) => return Ok((*trajectory).clone()),
+            Origin::Centerline(line) => line,
+        };
+        let given = options.waypoints.or(scene.planner.waypoints);
+        let first = baseline(world, scene, line, order, given)?;
+        let more = (first.len() as f64 * tightening.waypoints).round() as usize;
+        if given.is_none() && more > first.len() {
+            return baseline(world, scene, line, order, Some(more));
+        }
+        Ok(first)
     }
 
     fn rehearse(&self, attempt: &Attempt, run: &mut Run) -> Result<RehearsalRecord, PlanError> {

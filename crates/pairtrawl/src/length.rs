@@ -1,4 +1,4 @@
-use crate::attempt::Course;
+use crate::attempt::{Course, Origin};
 use crate::run::Run;
 use crate::starts::starts;
 use crate::tighten::Tightening;
@@ -71,6 +71,7 @@ pub fn length_curve(
     let first = run.stage(Stage::Baseline, || {
         baseline(&world, scene, &centerline, &start.order, given)
     })??;
+    let origin = Origin::Centerline(centerline);
     let fixed = PlanOptions {
         waypoints: Some(first.len()),
         rehearsal: RehearsalMode::Skip,
@@ -91,11 +92,7 @@ pub fn length_curve(
         };
         let (mut tightening, mut nobody) = (Tightening::NONE, ());
         let attempt = course
-            .certified_attempt(
-                &centerline,
-                &mut tightening,
-                &mut Run::new(&fixed, &mut nobody),
-            )
+            .certified_attempt(&origin, &mut tightening, &mut Run::new(&fixed, &mut nobody))
             .map_err(|error| error.to_string())?;
         let cost = evaluate(scene, &attempt.trajectory, attempt.net_length);
         Ok((attempt.net_length, cost))

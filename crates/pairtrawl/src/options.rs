@@ -1,3 +1,4 @@
+use pairtrawl_model::Scene;
 use std::time::Duration;
 
 /// How to plan. The default is what the program does without options.
@@ -38,6 +39,17 @@ impl Default for PlanOptions {
             rehearsal: RehearsalMode::Report,
             rounds: 6,
             rehearsal_rounds: 3,
+        }
+    }
+}
+
+impl PlanOptions {
+    /// d_max of a run in a scene, m; `None`: the planner chooses it.
+    pub(crate) fn net_length_for(&self, scene: &Scene) -> Option<f64> {
+        match self.net_length {
+            None => scene.net.length,
+            Some(NetLength::Auto) => None,
+            Some(NetLength::Fixed(length)) => Some(length),
         }
     }
 }

@@ -1,10 +1,10 @@
 //! Planning, on one page of named steps: scene -> world -> order -> centerline -> baseline -> optimise -> certify ->
 //! (rehearse) -> plan.
 
-use crate::attempt::Course;
+use crate::attempt::{Course, Origin};
 use crate::run::Run;
 use crate::starts::starts;
-use crate::{NetLength, Observer, PlanError, PlanOptions, Stage, waypoints};
+use crate::{Observer, PlanError, PlanOptions, Stage, waypoints};
 use pairtrawl_certificate::infeasibility;
 use pairtrawl_model::{Plan, RehearsalRecord, Scene, SceneReference, StageTime};
 use pairtrawl_world::World;
@@ -32,11 +32,7 @@ pub fn plan(
     observer: &mut dyn Observer,
 ) -> Result<Planned, PlanError> {
     let mut run = Run::new(options, observer);
-    let net_length = match options.net_length {
-        None => scene.net.length,
-        Some(NetLength::Auto) => None,
-        Some(NetLength::Fixed(length)) => Some(length),
-    };
+    let net_length = options.net_length_for(scene);
 
     let proof = run.stage(Stage::Proofs, || {
         let scenes = infeasibility::prove(scene, net_length).map(|proof| proof.message);
@@ -63,7 +59,7 @@ pub fn plan(
                 start.centerline(&world, scene, options.seed)
             })?
             .map_err(PlanError::from)
-            .and_then(|centerline| course.rehearsed_attempt(centerline, &mut run));
+            .and_then(|line| course.rehearsed_attempt(&Origin::Centerline(line), &mut run));
         match attempt {
             Ok((attempt, rehearsal)) => {
                 let mut plan = attempt.into_plan(&course, reference);

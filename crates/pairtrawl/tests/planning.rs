@@ -1,0 +1,250 @@
+//! Planning through the library: errors, interruption, planning again.
+
+use pairtrawl::files::{LoadedScene, read_scene};
+use pairtrawl::model::{Footprint, Object, Obstacle, Rehearsal};
+use pairtrawl::{
+    NetLength, Observer, OrderMethod, PlanError, PlanOptions, Planned, Planner, RehearsalMode,
+    Stage, plan,
+};
+use std::cell::Cell;
+use std::time::Duration;
+
+fn scene(name: &str) -> LoadedScene {
+    let path = format!(
+        "{}/../../scenes/{name}/scene.toml",
+        env!("CARGO_MANIFEST_DIR")
+    );
+    read_scene(path.as_ref()).expect("the scene is good")
+}
+
+fn quick() -> PlanOptions {
+    PlanOptions {
+        rehearsal: RehearsalMode::Skip,
+        ..PlanOptions::default()
+    }
+}
+
+fn planned(loaded: &LoadedScene, options: &PlanOptions) -> Planned {
+    plan(&loaded.scene, &loaded.reference, options, &mut ()).expect("there is a plan")
+}
+
+/// Stops after so many questions, and remembers which stages began.
+struct Impatient {
+    questions: Cell<usize>,
+    stages: Vec<Stage>,
+}
+
+impl Observer for Impatient {
+    fn started(&mut self, stage: Stage, _round: usize) {
+        self.stages.push(stage);
+    }
+
+    fn interrupted(&self) -> bool {
+        let left = self.questions.get();
+        self.questions.set(left.saturating_sub(1));
+        left == 0
+    }
+}
+
+#[test]
+fn stages_run_in_order_and_are_timed() {
+    let loaded = scene("witness-9");
+    let mut watch = Impatient {
+        questions: Cell::new(usize::MAX),
+        stages: Vec::new(),
+    };
+    let made = plan(
+        &loaded.scene,
+        &loaded.reference,
+        &PlanOptions::default(),
+        &mut watch,
+    )
+    .expect("there is a plan");
+    let expected = [
+        Stage::Proofs,
+        Stage::World,
+        Stage::Order,
+        Stage::Centerline,
+        Stage::Baseline,
+        Stage::Optimise,
+        Stage::Certify,
+        Stage::Rehearse,
+    ];
+    assert_eq!(watch.stages, expected);
+    assert_eq!(
+        made.stages
+            .iter()
+            .map(|s| s.name.as_str())
+            .collect::<Vec<_>>(),
+        expected.map(Stage::name)
+    );
+    assert_eq!(made.plan.rehearsal, Rehearsal::Passed);
+    assert!(made.plan.certificate.is_valid() && made.rehearsal.is_some());
+}
+
+#[test]
+fn an_observer_stops_it_at_any_question() {
+    let loaded = scene("witness-9");
+    for questions in [0, 1, 5, 9, 12, 20] {
+        let mut watch = Impatient {
+            questions: Cell::new(questions),
+            stages: Vec::new(),
+        };
+        let stopped = plan(&loaded.scene, &loaded.reference, &quick(), &mut watch);
+        assert_eq!(
+            stopped.unwrap_err(),
+            PlanError::Interrupted,
+            "after {questions}"
+        );
+    }
+}
+
+#[test]
+fn the_time_limit_names_the_stage() {
+    let loaded = scene("paper-simulation");
+    let options = PlanOptions {
+        time_limit: Some(Duration::from_micros(1)),
+        ..quick()
+    };
+    let refused = plan(&loaded.scene, &loaded.reference, &options, &mut ());
+    assert!(
+        matches!(refused, Err(PlanError::TimeLimit { .. })),
+        "{refused:?}"
+    );
+}
+
+#[test]
+fn the_same_plan_on_one_thread_and_on_many() {
+    let loaded = scene("witness-3");
+    let on = |threads| {
+        let pool = rayon::ThreadPoolBuilder::new()
+            .num_threads(threads)
+            .build()
+            .expect("a pool");
+        let mut plan = pool
+            .install(|| planned(&loaded, &PlanOptions::default()))
+            .plan;
+        plan.solver.seconds = 0.0;
+        plan
+    };
+    assert_eq!(on(1), on(3));
+}
+
+#[test]
+fn a_given_order_is_kept() {
+    let loaded = scene("paper-experiment");
+    let options = PlanOptions {
+        order: OrderMethod::Given,
+        ..quick()
+    };
+    let plan = planned(&loaded, &options).plan;
+    let firsts: Vec<_> = plan
+        .order
+        .iter()
+        .map(|&c| plan.circles[c].objects.iter().min())
+        .collect();
+    assert!(firsts.is_sorted(), "{firsts:?}");
+}
+
+#[test]
+fn a_net_shorter_than_the_pair_is_a_proof_and_not_a_failure() {
+    let loaded = scene("paper-experiment");
+    let options = PlanOptions {
+        net_length: Some(NetLength::Fixed(0.5)),
+        ..quick()
+    };
+    let refused = plan(&loaded.scene, &loaded.reference, &options, &mut ());
+    assert!(
+        matches!(refused, Err(PlanError::Infeasible { .. })),
+        "{refused:?}"
+    );
+}
+
+#[test]
+fn a_moved_obstacle_is_planned_around_from_the_plan_before() {
+    let mut loaded = scene("paper-experiment");
+    let planner = Planner::new(quick());
+    let before = planned(&loaded, &planner.options).plan;
+    let Obstacle::Box { min, max } = &mut loaded.scene.obstacles[0] else {
+        panic!("a box")
+    };
+    min.x -= 0.04;
+    max.x -= 0.04;
+    max.y += 0.06;
+    let again = planner
+        .replan(&before, &loaded.scene, &loaded.reference, &mut ())
+        .expect("there is a plan")
+        .plan;
+    assert!(again.certificate.is_valid());
+    assert_eq!(
+        again
+            .warnings
+            .iter()
+            .filter(|w| w.contains("from nothing"))
+            .count(),
+        0
+    );
+    let cold = planned(&loaded, &planner.options).plan;
+    let (warm_cost, cold_cost) = (again.cost.total(), cold.cost.total());
+    assert!(
+        warm_cost <= 1.002 * cold_cost,
+        "J {warm_cost} warm, {cold_cost} cold"
+    );
+    assert!(
+        again.solver.iterations < cold.solver.iterations,
+        "{} iterations warm, {} cold",
+        again.solver.iterations,
+        cold.solver.iterations
+    );
+}
+
+#[test]
+fn a_pair_that_is_on_its_way_and_off_its_path_is_planned_on() {
+    let mut loaded = scene("paper-experiment");
+    let planner = Planner::new(quick());
+    let before = planned(&loaded, &planner.options).plan;
+    // At a quarter of the way, 1.5 cm off; what was swept is gathered.
+    let at = before.trajectory.len() / 4;
+    loaded.scene.start = before.trajectory.pair(at);
+    loaded.scene.start.left.x += 0.015;
+    loaded.scene.start.right.y -= 0.01;
+    let scene = &mut loaded.scene;
+    let start_y = scene.start.midpoint().y;
+    scene
+        .objects
+        .retain(|object| object.position.y > start_y || object.position.x > 1.5);
+    let again = planner
+        .replan(&before, &loaded.scene, &loaded.reference, &mut ())
+        .expect("there is a plan")
+        .plan;
+    assert!(again.certificate.is_valid());
+    assert!(again.trajectory.len() < before.trajectory.len());
+    assert_eq!(again.trajectory.pair(0).left.x, loaded.scene.start.left.x);
+}
+
+#[test]
+fn an_object_off_the_path_makes_it_plan_from_nothing() {
+    let mut loaded = scene("paper-experiment");
+    let planner = Planner::new(quick());
+    let before = planned(&loaded, &planner.options).plan;
+    loaded.scene.objects.push(Object {
+        position: pairtrawl::geometry::Point::new(3.9, 1.6),
+        footprint: Footprint::Disc(0.03),
+        mass: 0.025,
+    });
+    let again = planner
+        .replan(&before, &loaded.scene, &loaded.reference, &mut ())
+        .expect("there is a plan")
+        .plan;
+    assert!(again.certificate.is_valid());
+    assert_eq!(
+        again
+            .warnings
+            .iter()
+            .filter(|w| w.contains("from nothing"))
+            .count(),
+        1,
+        "{:?}",
+        again.warnings
+    );
+}
