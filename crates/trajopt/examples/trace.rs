@@ -8,8 +8,13 @@ fn main() {
     let args: Vec<String> = std::env::args().collect();
     let number =
         |i: usize, default: u64| args.get(i).and_then(|a| a.parse().ok()).unwrap_or(default);
+    let kind = if args.iter().any(|a| a == "serpentine") {
+        Kind::Serpentine
+    } else {
+        Kind::Witness
+    };
     let generated = generate(
-        Kind::Witness,
+        kind,
         number(1, 3) as u8,
         number(2, 1),
         number(3, 200) as usize,

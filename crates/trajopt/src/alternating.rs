@@ -2,18 +2,18 @@
 
 use crate::cost::evaluate;
 use crate::interior_point::{Residuals, Settings};
-use crate::optimise::{Solution, optimise_from};
+use crate::optimise::{Solution, first_net_length, optimise_from};
 use crate::problem::Problem;
 use pairtrawl_model::{PairTrajectory, Scene, SolverStatus};
 
 /// Which net length Algorithm 1 starts from, when it is free.
-#[derive(Clone, Copy, Debug, Default, PartialEq)]
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub enum FirstLength {
-    /// As printed: `N dL_max`, many times what the task needs.
+    /// That of the joint problem: the start's separation at rest.
     #[default]
+    Bounded,
+    /// As printed: `N dL_max`, many times what the task needs; from there rounds may end far off.
     Printed,
-    /// A length given, m.
-    Given(f64),
 }
 
 /// What the rounds led to.
@@ -40,7 +40,7 @@ pub fn alternate(
     let mut problem = problem.clone();
     let mut net_length = problem.net_length.unwrap_or(match first_length {
         FirstLength::Printed => start.len() as f64 * problem.planner.max_step,
-        FirstLength::Given(length) => length,
+        FirstLength::Bounded => first_net_length(&problem, start),
     });
     let (mut costs, mut net_lengths) = (Vec::new(), Vec::new());
     let mut pair = start.clone();

@@ -124,7 +124,7 @@ impl StepDerivatives {
         let tension = self.gradients[1][0];
         self.taut = (tension * step.along).max(0.0);
         let most = 0.9 * (self.diagonal[0] * self.taut).sqrt();
-        self.lateral = -lambda.clamp(-most, most);
+        self.lateral = -lambda.max(-most).min(most);
     }
 }
 

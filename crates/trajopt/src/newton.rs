@@ -43,7 +43,7 @@ impl Newton {
                 self.factor.solve(&mut self.direction);
                 self.length = 0.0;
                 if !free_length {
-                    return true;
+                    return self.direction.iter().all(|d| d.is_finite());
                 }
                 self.arrow.clone_from(&system.arrow);
                 self.factor.solve(&mut self.arrow);
@@ -54,7 +54,7 @@ impl Newton {
                     for (d, a) in self.direction.iter_mut().zip(&self.arrow) {
                         *d -= self.length * a;
                     }
-                    return self.length.is_finite();
+                    return self.direction.iter().all(|d| d.is_finite());
                 }
             }
             shift *= 10.0;
@@ -83,6 +83,10 @@ impl Newton {
             primal: 1.0,
             dual: 1.0,
         };
+        // The net keeps half of its length in a step: what is convex in it is so only for positive lengths.
+        if self.length < 0.0 {
+            longest.primal = (-0.5 * state.x.net_length / self.length).min(1.0);
+        }
         for (at, rows) in state.set.steps.chunks_exact_mut(STEP_BOUNDS).enumerate() {
             let (i, k) = (at / 2, 3 * (at % 2));
             let (a, b) = (self.stage(i, count), self.stage(i + 1, count));

@@ -117,7 +117,7 @@ pub fn optimise_from(
 }
 
 /// A net in which the start's mean separation is at rest, and which holds the widest pair.
-fn first_net_length(problem: &Problem, start: &PairTrajectory) -> f64 {
+pub(crate) fn first_net_length(problem: &Problem, start: &PairTrajectory) -> f64 {
     let separations = (0..start.len()).map(|i| start.pair(i).separation());
     let (mut sum, mut widest) = (0.0, 0.0_f64);
     for d in separations {

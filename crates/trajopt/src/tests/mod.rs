@@ -5,6 +5,8 @@ mod cost;
 mod derivative_check;
 mod features;
 mod filter;
+mod lagrangian;
+mod optimality;
 mod rows;
 mod steps;
 mod terms;

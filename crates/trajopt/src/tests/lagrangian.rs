@@ -1,0 +1,340 @@
+//! The Lagrangian written a second time, from the formulas alone, and the assembled gradients against its differences.
+
+use super::between;
+use crate::active::{PointKind, SAG, Tier};
+use crate::assembly::System;
+use crate::constraints::RungDistance;
+use crate::interior_point::{Settings, State};
+use crate::iterate::{Iterate, STAGE};
+use crate::pieces::Piece;
+use crate::problem::Problem;
+use crate::term::Term;
+use pairtrawl_generate::{Generated, Kind, generate};
+use pairtrawl_geometry::{Convex, Point, Polygon, Pose, Segment};
+use pairtrawl_world::World;
+
+/// A generated scene with everything that its problem is made from.
+pub struct Case {
+    pub made: Generated,
+    pub pieces: Vec<Convex>,
+    pub problem: Problem,
+}
+
+impl Case {
+    pub fn new(difficulty: u8, seed: u64, waypoints: usize, free_length: bool) -> Self {
+        let made = generate(Kind::Witness, difficulty, seed, waypoints).expect("a scene");
+        let net_length = (!free_length).then_some(made.net_length);
+        let pieces = World::new(&made.scene, net_length).expect("a world").pieces;
+        let problem = Problem::new(&made.scene, net_length, &pieces);
+        Self {
+            made,
+            pieces,
+            problem,
+        }
+    }
+
+    pub fn start(&self) -> Iterate {
+        Iterate::from_trajectory(&self.made.witness, self.made.net_length)
+    }
+}
+
+/// What a multiplier at a waypoint belongs to.
+enum Subject {
+    Pair(u8),
+    Point(usize, PointKind),
+    Rung(u32, Tier),
+}
+
+/// Objective minus multipliers times constraints plus multipliers times slips.
+pub struct Lagrangian<'a> {
+    case: &'a Case,
+    /// By waypoint.
+    at_stages: Vec<Vec<(Subject, f64)>>,
+    /// By step and robot: of the five bounds, and of the slip.
+    at_steps: Vec<([f64; 5], f64)>,
+}
+
+impl<'a> Lagrangian<'a> {
+    /// With the multipliers of a state; without any it is the objective.
+    pub fn new(case: &'a Case, state: &State, multipliers: bool) -> Self {
+        let set = &state.set;
+        let mut at_stages: Vec<Vec<(Subject, f64)>> = Vec::new();
+        at_stages.resize_with(state.x.stages.len(), Vec::new);
+        let mut at_steps = vec![([0.0; 5], 0.0); state.lambda.len()];
+        if multipliers {
+            for r in &set.pairs {
+                at_stages[r.stage as usize].push((Subject::Pair(r.kind), r.row.z));
+            }
+            for r in &set.points {
+                let subject = Subject::Point(r.robot.into(), r.kind);
+                at_stages[r.stage as usize].push((subject, r.row.z));
+            }
+            for r in &set.rungs {
+                at_stages[r.stage as usize].push((Subject::Rung(r.piece, r.tier), r.row.z));
+            }
+            for (k, (bounds, slip)) in at_steps.iter_mut().enumerate() {
+                *bounds = std::array::from_fn(|b| set.steps[5 * k + b].z);
+                *slip = state.lambda[k];
+            }
+        }
+        Self {
+            case,
+            at_stages,
+            at_steps,
+        }
+    }
+
+    fn kept(&self, tier: Tier, margin: f64) -> f64 {
+        match tier {
+            Tier::Margin => margin,
+            Tier::Claim => SAG.min(margin),
+        }
+    }
+
+    /// The constraint of a subject at a waypoint, `c >= 0`.
+    fn constraint(&self, subject: &Subject, x: &Iterate, i: usize) -> f64 {
+        let (problem, scene) = (&self.case.problem, &self.case.made.scene);
+        let reserve = &problem.reserve;
+        let z = &x.stages[i];
+        let (l, r) = (Pose::new(z[0], z[1], z[2]), Pose::new(z[3], z[4], z[5]));
+        let apart = l.position().distance(r.position());
+        let abreast = |heading: f64| {
+            let normal = (l.position() - r.position()).angle() - std::f64::consts::FRAC_PI_2;
+            (heading - normal).cos() - (scene.planner.max_skew - reserve.skew).cos()
+        };
+        match *subject {
+            Subject::Pair(0) => {
+                let share = problem.net_length.map_or(0.0, |length| 0.1 * length);
+                apart - share.max(2.0 * scene.robot.radius) - reserve.separation
+            }
+            Subject::Pair(1) => x.net_length - 1e-6 - apart,
+            Subject::Pair(2) => {
+                let (a, b) = (
+                    l.hitch_point(scene.robot.hitch),
+                    r.hitch_point(scene.robot.hitch),
+                );
+                x.net_length - reserve.net_reach - a.distance(b)
+            }
+            Subject::Pair(3) => abreast(l.heading),
+            Subject::Pair(_) => abreast(r.heading),
+            Subject::Point(robot, ref kind) => {
+                let p = [l, r][robot].position();
+                match *kind {
+                    PointKind::Object(id, tier) => {
+                        let object = scene.objects[id as usize];
+                        p.distance(object.position)
+                            - object.footprint_radius()
+                            - scene.robot.radius
+                            - self.kept(tier, reserve.clearance)
+                    }
+                    PointKind::Piece(id, tier) => {
+                        let gap = match &self.case.pieces[id as usize] {
+                            Convex::Polygon(v) => Polygon::new(v.clone()).signed_distance(p),
+                            Convex::Circle { center, radius } => p.distance(*center) - radius,
+                        };
+                        gap - scene.robot.radius - self.kept(tier, reserve.clearance)
+                    }
+                    PointKind::Side(_, plane) => Point::from(plane.normal).dot(p) - plane.offset,
+                    PointKind::Area(0) => p.x - scene.area.min.x - 1e-6,
+                    PointKind::Area(1) => scene.area.max.x - p.x - 1e-6,
+                    PointKind::Area(2) => p.y - scene.area.min.y - 1e-6,
+                    PointKind::Area(_) => scene.area.max.y - p.y - 1e-6,
+                }
+            }
+            Subject::Rung(id, tier) => {
+                let rung = Segment::new(l.position(), r.position());
+                let keep = self.kept(tier, reserve.net_clearance);
+                let convex = &self.case.pieces[id as usize];
+                let gap = match convex {
+                    Convex::Polygon(v) => rung.gap_to_polygon(&Polygon::new(v.clone())).distance,
+                    Convex::Circle { center, radius } => {
+                        rung.gap_to_disc(*center, *radius).distance
+                    }
+                };
+                if gap > 0.0 {
+                    return gap - keep;
+                }
+                // Depths of overlap have a test of their own.
+                let region = &Piece::new(convex);
+                RungDistance { region, keep }.value(&x.rung(i))
+            }
+        }
+    }
+
+    /// J_e as the paper has it, with a plus sign.
+    fn expansion(&self, d: f64, d_max: f64) -> f64 {
+        let p = &self.case.made.scene.planner;
+        let (rest, least) = (p.rest_ratio * d_max, p.min_ratio * d_max);
+        p.a4 * if d < rest {
+            let angle = 0.5 * std::f64::consts::PI * (rest - d) / (rest - least);
+            p.kd1 * angle.tan().powi(2)
+        } else {
+            p.kd2 * (d - rest).powi(2) + ((d - rest) / (d - d_max)).powi(2)
+        }
+    }
+
+    fn at_stage(&self, x: &Iterate, i: usize) -> f64 {
+        let apart = x.position(i, 0).distance(x.position(i, 1));
+        self.at_stages[i]
+            .iter()
+            .fold(self.expansion(apart, x.net_length), |sum, (subject, z)| {
+                sum - z * self.constraint(subject, x, i)
+            })
+    }
+
+    fn at_step(&self, x: &Iterate, i: usize) -> f64 {
+        let p = &self.case.made.scene.planner;
+        let mut sum = 0.0;
+        for robot in 0..2 {
+            let (a, b) = (
+                &x.stages[i][3 * robot..3 * robot + 3],
+                &x.stages[i + 1][3 * robot..3 * robot + 3],
+            );
+            let (dx, dy, turn) = (b[0] - a[0], b[1] - a[1], b[2] - a[2]);
+            let middle = a[2] + 0.5 * turn;
+            let along = dx * middle.cos() + dy * middle.sin();
+            let across = dy * middle.cos() - dx * middle.sin();
+            let bounds = [
+                along,
+                p.max_step - 1e-7 - along,
+                p.max_turn - 1e-7 + turn,
+                p.max_turn - 1e-7 - turn,
+                -turn,
+            ];
+            let (z, lambda) = &self.at_steps[2 * i + robot];
+            sum += p.a2 * (p.t1 * along - p.t2 * turn) + lambda * across;
+            sum -= (0..5).map(|k| z[k] * bounds[k]).sum::<f64>();
+        }
+        sum
+    }
+
+    fn at_bend(&self, x: &Iterate, i: usize) -> f64 {
+        if i == 0 || i + 1 >= x.stages.len() {
+            return 0.0;
+        }
+        let p = &self.case.made.scene.planner;
+        (0..STAGE)
+            .map(|v| {
+                let second = x.stages[i - 1][v] - 2.0 * x.stages[i][v] + x.stages[i + 1][v];
+                p.a1 * [p.b1, p.b2, p.b3][v % 3] * second * second
+            })
+            .sum()
+    }
+
+    /// Everything that a variable of one waypoint enters.
+    fn around(&self, x: &Iterate, i: usize) -> f64 {
+        self.at_stage(x, i)
+            + self.at_step(x, i - 1)
+            + self.at_step(x, i)
+            + (i - 1..=i + 1).map(|k| self.at_bend(x, k)).sum::<f64>()
+    }
+
+    /// Gradient by differences: of the inner waypoints, and of the net length.
+    pub fn gradient(&self, x: &Iterate) -> (Vec<f64>, f64) {
+        let mut x = x.clone();
+        let mut gradient = Vec::new();
+        for i in 1..x.stages.len() - 1 {
+            for v in 0..STAGE {
+                let at = x.stages[i][v];
+                gradient.push(difference(|h| {
+                    x.stages[i][v] = at + h;
+                    self.around(&x, i)
+                }));
+                x.stages[i][v] = at;
+            }
+        }
+        let length = x.net_length;
+        let length = difference(|h| {
+            x.net_length = length + h;
+            (0..x.stages.len()).map(|i| self.at_stage(&x, i)).sum()
+        });
+        (gradient, length)
+    }
+
+    /// The constraints of a state's rows at its point, with slack, violation, multiplier and price.
+    pub fn rows(case: &'a Case, state: &State) -> Vec<[f64; 5]> {
+        let of = Self::new(case, state, false);
+        let x = &state.x;
+        let set = &state.set;
+        let mut rows = Vec::new();
+        let bounds = case.problem.step_bounds();
+        for (k, row) in set.steps.iter().enumerate() {
+            let step = x.step(k / 10, (k / 5) % 2);
+            let c = bounds[k % 5].value(&step);
+            rows.push([c, row.s, row.e, row.z, row.weight]);
+        }
+        for r in &set.pairs {
+            let c = of.constraint(&Subject::Pair(r.kind), x, r.stage as usize);
+            rows.push([c, r.row.s, r.row.e, r.row.z, r.row.weight]);
+        }
+        for r in &set.points {
+            let subject = Subject::Point(r.robot.into(), r.kind);
+            let c = of.constraint(&subject, x, r.stage as usize);
+            rows.push([c, r.row.s, r.row.e, r.row.z, r.row.weight]);
+        }
+        for r in &set.rungs {
+            let c = of.constraint(&Subject::Rung(r.piece, r.tier), x, r.stage as usize);
+            rows.push([c, r.row.s, r.row.e, r.row.z, r.row.weight]);
+        }
+        rows
+    }
+}
+
+/// Central difference of fourth order.
+fn difference(mut f: impl FnMut(f64) -> f64) -> f64 {
+    const H: f64 = 3e-5;
+    (8.0 * (f(H) - f(-H)) - (f(2.0 * H) - f(-2.0 * H))) / (12.0 * H)
+}
+
+/// A state near a witness with random multipliers.
+fn shaken(case: &Case, seed: u64) -> State {
+    let mut random = fastrand::Rng::with_seed(seed);
+    let mut x = case.start();
+    let last = x.stages.len() - 1;
+    for stage in &mut x.stages[1..last] {
+        for z in stage {
+            *z += between(&mut random, -0.01, 0.01);
+        }
+    }
+    let mut state = State::new(&case.problem, x, &Settings::default());
+    each_row_mut!(state.set, row, {
+        row.z = row.weight.min(100.0) * between(&mut random, 0.01, 0.99);
+    });
+    for lambda in &mut state.lambda {
+        *lambda = between(&mut random, -100.0, 100.0);
+    }
+    state
+}
+
+#[test]
+fn assembled_gradients_are_those_of_the_lagrangian() {
+    for (difficulty, seed, free) in [(2, 1, true), (5, 2, false), (9, 3, true)] {
+        let case = Case::new(difficulty, seed, 60, free);
+        let mut state = shaken(&case, seed);
+        let mut system = System::default();
+        let lambda = state.lambda.clone();
+        system.assemble(&case.problem, &state.x, &mut state.set, &lambda, 1e-2);
+        for (multipliers, gradient, length) in [
+            (true, &system.lagrangian, system.length.lagrangian),
+            (false, &system.objective, system.length.objective),
+        ] {
+            let by_hand = Lagrangian::new(&case, &state, multipliers);
+            let (expected, expected_length) = by_hand.gradient(&state.x);
+            assert_eq!(gradient.len(), expected.len());
+            let scale = expected.iter().fold(1.0_f64, |m, g| m.max(g.abs()));
+            for (k, (g, e)) in gradient.iter().zip(&expected).enumerate() {
+                assert!(
+                    (g - e).abs() < 1e-6 * scale,
+                    "variable {} of waypoint {}: {g} for {e}, multipliers {multipliers}",
+                    k % STAGE,
+                    k / STAGE + 1
+                );
+            }
+            let error = (length - expected_length).abs();
+            assert!(
+                error < 1e-6 * (1.0 + expected_length.abs()),
+                "net length: {length} for {expected_length}"
+            );
+        }
+    }
+}

@@ -1,0 +1,96 @@
+//! Residuals of solved problems, recomputed outside the solver from the point and its multipliers.
+
+use super::lagrangian::{Case, Lagrangian};
+use crate::interior_point::{Settings, State, Workspace, solve};
+use pairtrawl_model::SolverStatus;
+
+fn solved(case: &Case, settings: &Settings) -> State {
+    let mut state = State::new(&case.problem, case.start(), settings);
+    let mut work = Workspace::default();
+    let status = solve(&case.problem, &mut state, settings, &mut work, &mut |_| {
+        true
+    });
+    assert_eq!(status, SolverStatus::Converged, "{:?}", state.residuals);
+    state
+}
+
+/// Largest entry of the Lagrangian's gradient, as a share of the largest of the objective's.
+fn stationarity(case: &Case, state: &State) -> f64 {
+    let largest = |g: &[f64]| g.iter().fold(0.0_f64, |m, g| m.max(g.abs()));
+    let (gradient, length) = Lagrangian::new(case, state, true).gradient(&state.x);
+    let (objective, _) = Lagrangian::new(case, state, false).gradient(&state.x);
+    let mut error = largest(&gradient);
+    if case.problem.net_length.is_none() {
+        error = error.max(length.abs());
+    }
+    error / largest(&objective).max(1.0)
+}
+
+fn close(a: f64, b: f64, absolute: f64) -> bool {
+    (a - b).abs() <= absolute + 1e-5 * a.abs().max(b.abs())
+}
+
+#[test]
+fn residuals_are_what_the_solver_says() {
+    for (difficulty, seed, free) in [
+        (1, 1, false),
+        (4, 2, true),
+        (7, 3, false),
+        (7, 4, true),
+        (10, 5, true),
+    ] {
+        let case = Case::new(difficulty, seed, 120, free);
+        let settings = Settings::default();
+        let state = solved(&case, &settings);
+        let said = state.residuals;
+        let at = format!("difficulty {difficulty}, seed {seed}: {said:?}");
+
+        let found = stationarity(&case, &state);
+        println!("{found} {at} iterations {}", state.iterations);
+        assert!(close(found, said.dual, 1e-6), "stationarity {found}, {at}");
+
+        let (mut primal, mut gap) = (0.0_f64, 0.0);
+        for [c, s, e, z, weight] in Lagrangian::rows(&case, &state) {
+            assert!(s > 0.0 && z > 0.0 && e >= 0.0 && z < weight, "{at}");
+            primal = primal.max((c - s + e).abs());
+            gap += s * z
+                + if weight.is_finite() {
+                    e * (weight - z)
+                } else {
+                    0.0
+                };
+        }
+        for i in 0..state.x.stages.len() - 1 {
+            for robot in 0..2 {
+                primal = primal.max(state.x.step(i, robot).across.abs());
+            }
+        }
+        assert!(
+            close(primal, said.primal, 1e-9),
+            "feasibility {primal}, {at}"
+        );
+        assert!(close(gap, said.gap, 1e-9), "gap {gap}, {at}");
+        assert!(primal <= settings.feasibility_tolerance, "{at}");
+        let bound = settings.relative_gap * state.merit.cost;
+        assert!(gap <= bound, "{gap} above {bound}, {at}");
+    }
+}
+
+#[test]
+fn tight_tolerances_lead_to_a_stationary_point() {
+    let settings = Settings {
+        relative_gap: 1e-7,
+        relative_decrease: 1e-12,
+        ..Settings::default()
+    };
+    for (difficulty, seed, free) in [(1, 1, true), (4, 2, false), (7, 4, true)] {
+        let case = Case::new(difficulty, seed, 100, free);
+        let state = solved(&case, &settings);
+        let found = stationarity(&case, &state);
+        println!(
+            "{found} iterations {} {:?}",
+            state.iterations, state.residuals
+        );
+        assert!(found < 1e-4, "difficulty {difficulty}: {found}");
+    }
+}
