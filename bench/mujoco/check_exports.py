@@ -14,10 +14,8 @@ import sys
 import tempfile
 from pathlib import Path
 
-import numpy as np
-
 import scenarios
-from side_by_side import ours
+from scenarios import ours
 
 HERE = Path(__file__).resolve().parent
 
@@ -36,8 +34,9 @@ def scenario():
 
 def check_mjcf(run):
     try:
-        import mujoco
         import model
+        import mujoco
+        import numpy as np
     except ImportError:
         print("MJCF: skipped, PyPI mujoco is not installed")
         return True

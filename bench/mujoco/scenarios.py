@@ -2,9 +2,11 @@
 
 import json
 import math
+import subprocess
 import tomllib
 from pathlib import Path
 
+ROOT = Path(__file__).resolve().parents[2]
 STEP_TIME = 0.25
 
 
@@ -68,3 +70,10 @@ def built_in():
         drive("whole run, snake", 0.3, 100, lambda t: 0.15 * math.sin(0.4 * t), snake, 1.4),
         drive("whole run, half circle", 0.32, 96, lambda t: -0.2 / 1.5, arc, 1.8),
     ]
+
+
+def ours(scenario, **extra):
+    """What `examples/drive.rs` prints for a run: its record as JSON, or an export."""
+    command = ["cargo", "run", "--quiet", "--release", "-p", "pairtrawl-simulation", "--example", "drive"]
+    text = json.dumps(scenario | extra)
+    return subprocess.run(command, input=text, capture_output=True, text=True, cwd=ROOT, check=True).stdout

@@ -9,7 +9,6 @@ and fails when the force differs by more than 1 %, the median by more than 10 mm
 """
 
 import json
-import subprocess
 import sys
 from pathlib import Path
 
@@ -17,15 +16,9 @@ import numpy as np
 
 import model
 import scenarios
+from scenarios import ours
 
-ROOT = Path(__file__).resolve().parents[2]
 FORCE, PLACE = 0.01, 0.010
-
-
-def ours(scenario, **extra):
-    command = ["cargo", "run", "--quiet", "--release", "-p", "pairtrawl-simulation", "--example", "drive"]
-    text = json.dumps(scenario | extra)
-    return subprocess.run(command, input=text, capture_output=True, text=True, cwd=ROOT, check=True).stdout
 
 
 def main():
