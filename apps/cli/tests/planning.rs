@@ -200,6 +200,21 @@ fn a_random_centerline_depends_on_its_seed_alone() {
 }
 
 #[test]
+fn the_joint_method_is_within_a_thousandth_of_algorithm_1_or_better() {
+    for method in ["alternating", "alternating-bounded"] {
+        let cost = |method: &str| {
+            let summary = certified_scene("paper-experiment", &["--method", method]);
+            summary["cost"]["total"].as_f64().expect("a number")
+        };
+        let (joint, alternating) = (cost("joint"), cost(method));
+        assert!(
+            joint <= 1.001 * alternating,
+            "J {joint} joint, {alternating} {method}"
+        );
+    }
+}
+
+#[test]
 fn time_runs_out_with_5_and_no_file() {
     let folder = tempfile::tempdir().expect("a folder");
     let out = folder.path().join("out");

@@ -1,7 +1,7 @@
 use crate::check::{Candidate, check};
 use crate::run::Run;
 use crate::tighten::Tightening;
-use crate::{NetLength, PlanError, PlanOptions, RehearsalMode, Stage};
+use crate::{Method, NetLength, PlanError, PlanOptions, RehearsalMode, Stage};
 use pairtrawl_certificate::certify;
 use pairtrawl_geometry::Pose;
 use pairtrawl_model::{
@@ -10,11 +10,11 @@ use pairtrawl_model::{
 };
 use pairtrawl_route::{RouteError, baseline};
 use pairtrawl_simulation::rehearse;
-use pairtrawl_trajopt::{Problem, Settings, ShrunkMargin, evaluate, optimise_watched};
+use pairtrawl_trajopt::{
+    FirstLength, Problem, Residuals, Settings, ShrunkMargin, Solution, alternate, evaluate,
+    optimise_from, optimise_watched,
+};
 use pairtrawl_world::World;
-
-/// First barrier parameter of a warm start.
-const WARM_MU: f64 = 1e-3;
 
 /// Everything that stays the same while attempts at a plan are made.
 pub(crate) struct Course<'a> {
@@ -30,15 +30,15 @@ pub(crate) struct Course<'a> {
 pub(crate) enum Origin<'a> {
     /// A centerline: the baseline follows from it.
     Centerline(Vec<Pose>),
-    /// The rest of a plan that was made before.
-    Before(&'a PairTrajectory),
+    /// The rest of a plan that was made before, and its net length, m.
+    Before(&'a PairTrajectory, f64),
 }
 
 impl Origin<'_> {
     fn centerline(&self) -> &[Pose] {
         match self {
             Self::Centerline(line) => line,
-            Self::Before(_) => &[],
+            Self::Before(..) => &[],
         }
     }
 
@@ -46,10 +46,7 @@ impl Origin<'_> {
     fn settings(&self) -> Settings {
         match self {
             Self::Centerline(_) => Settings::default(),
-            Self::Before(_) => Settings {
-                initial_mu: WARM_MU,
-                ..Settings::default()
-            },
+            Self::Before(..) => Settings::warm(),
         }
     }
 }
@@ -146,9 +143,7 @@ impl Course<'_> {
         let mut problem = Problem::new(scene, self.net_length, &world.pieces);
         tightening.apply(&mut problem);
         let solution = run.watched_stage(Stage::Optimise, |may_go_on| {
-            optimise_watched(&problem, &baseline, &origin.settings(), &mut |_, _| {
-                may_go_on()
-            })
+            self.optimise(&problem, &baseline, origin, &mut |_, _| may_go_on())
         })?;
 
         let certificate = run.stage(Stage::Certify, || {
@@ -178,6 +173,28 @@ impl Course<'_> {
         })
     }
 
+    /// The optimization by the method that was asked for.
+    fn optimise(
+        &self,
+        problem: &Problem,
+        start: &PairTrajectory,
+        origin: &Origin,
+        go_on: &mut dyn FnMut(usize, &Residuals) -> bool,
+    ) -> Solution {
+        let settings = origin.settings();
+        let first_length = match (self.options.method, origin) {
+            (Method::Joint, Origin::Centerline(_)) => {
+                return optimise_watched(problem, start, &settings, go_on);
+            }
+            (Method::Joint, Origin::Before(_, net_length)) => {
+                return optimise_from(problem, start, *net_length, &settings, go_on);
+            }
+            (Method::Alternating, _) => FirstLength::Printed,
+            (Method::AlternatingBounded, _) => FirstLength::Bounded,
+        };
+        alternate(self.scene, problem, start, first_length, &settings, go_on).solution
+    }
+
     /// The trajectories that the optimization starts from.
     fn baseline(
         &self,
@@ -192,7 +209,7 @@ impl Course<'_> {
             ..
         } = *self;
         let line = match origin {
-            Origin::Before(trajectory) => return Ok((*trajectory).clone()),
+            Origin::Before(trajectory, _) => return Ok((*trajectory).clone()),
             Origin::Centerline(line) => line,
         };
         let given = options.waypoints.or(scene.planner.waypoints);

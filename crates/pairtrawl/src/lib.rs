@@ -78,7 +78,7 @@ pub use error::PlanError;
 pub use judge::judge;
 pub use length::{LengthRange, length_curve};
 pub use observer::{Observer, Stage};
-pub use options::{CenterlineMethod, NetLength, OrderMethod, PlanOptions, RehearsalMode};
+pub use options::{CenterlineMethod, Method, NetLength, OrderMethod, PlanOptions, RehearsalMode};
 pub use pairtrawl_generate as generate;
 pub use pairtrawl_geometry as geometry;
 pub use pairtrawl_model as model;

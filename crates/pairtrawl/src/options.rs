@@ -14,6 +14,8 @@ pub struct PlanOptions {
     pub orders: usize,
     /// How the centerline is found; `None`: by hybrid A*, and by RRT* when no certified plan follows from that.
     pub centerline: Option<CenterlineMethod>,
+    /// How the trajectories are optimized.
+    pub method: Method,
     /// Seed of whatever is random: the centerline by RRT*.
     pub seed: u64,
     /// Gives up after this time, checked between steps of work.
@@ -34,6 +36,7 @@ impl Default for PlanOptions {
             order: OrderMethod::Shortest,
             orders: 3,
             centerline: None,
+            method: Method::Joint,
             seed: 0,
             time_limit: None,
             rehearsal: RehearsalMode::Report,
@@ -89,6 +92,17 @@ impl CenterlineMethod {
             Self::RrtStar => "RRT*",
         }
     }
+}
+
+/// How the trajectories are optimized. All methods have the same costs, constraints and certificate.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Method {
+    /// Both robots and the net length at once.
+    Joint,
+    /// Algorithm 1 of the paper: one robot at a time, an open net length first N dL_max.
+    Alternating,
+    /// The same, an open net length first that of the joint method.
+    AlternatingBounded,
 }
 
 /// What a rehearsal decides.

@@ -93,7 +93,8 @@ fn warm(
         order: &order,
         options,
     };
-    let (attempt, rehearsal) = course.rehearsed_attempt(&Origin::Before(rest), &mut run)?;
+    let (attempt, rehearsal) =
+        course.rehearsed_attempt(&Origin::Before(rest, before.net_length), &mut run)?;
     let mut plan = attempt.into_plan(&course, reference);
     plan.centerline = before.centerline.clone();
     if let Some(record) = &rehearsal {

@@ -20,6 +20,10 @@ pub struct PlanningArguments {
     #[arg(long, value_enum)]
     pub centerline: Option<Centerline>,
 
+    /// How the trajectories are optimized
+    #[arg(long, value_enum, default_value_t = Method::Joint)]
+    pub method: Method,
+
     /// Seed of whatever is random: the centerline by RRT*
     #[arg(long, value_name = "S", default_value_t = 0)]
     pub seed: u64,
@@ -55,6 +59,7 @@ impl PlanningArguments {
             waypoints: self.waypoints.map(|n| n as usize),
             order: self.order.into(),
             centerline: self.centerline.map(Into::into),
+            method: self.method.into(),
             seed: self.seed,
             time_limit: self.time_limit.map(std::time::Duration::from_secs_f64),
             rehearsal: match (self.no_rehearsal, self.require_rehearsal) {
@@ -90,6 +95,27 @@ impl From<Centerline> for pairtrawl::CenterlineMethod {
         match centerline {
             Centerline::HybridAStar => Self::HybridAStar,
             Centerline::RrtStar => Self::RrtStar,
+        }
+    }
+}
+
+/// Ways to optimize.
+#[derive(Clone, Copy, Debug, ValueEnum)]
+pub enum Method {
+    /// Both robots and the net length at once
+    Joint,
+    /// Algorithm 1 of the paper: one robot at a time, an open net length first N dL_max
+    Alternating,
+    /// The same, an open net length first that of the joint method
+    AlternatingBounded,
+}
+
+impl From<Method> for pairtrawl::Method {
+    fn from(method: Method) -> Self {
+        match method {
+            Method::Joint => Self::Joint,
+            Method::Alternating => Self::Alternating,
+            Method::AlternatingBounded => Self::AlternatingBounded,
         }
     }
 }
