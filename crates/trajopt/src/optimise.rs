@@ -55,6 +55,8 @@ pub struct ShrunkMargin {
 /// Violations that do not vanish at this cost a meter are not for want of a price.
 const GREATEST_ELASTIC_WEIGHT: f64 = 1e6;
 const ELASTIC_WEIGHT_INCREASE: f64 = 20.0;
+/// Violations of which this share is left at the next price are there to stay.
+const STUBBORN_SHARE: f64 = 0.8;
 
 /// Optimises from a start, until solved or out of iterations.
 pub fn optimise(problem: &Problem, start: &PairTrajectory, settings: &Settings) -> Solution {
@@ -90,17 +92,21 @@ pub fn optimise_from(
     let mut go_on = |s: &State| go_on(s.iterations, &s.residuals);
     let mut status = solve(problem, &mut state, &settings, &mut work, &mut go_on);
     let (mut violations, mut shrunk_margins) = shortfalls(problem, &state);
-    // Violations may only have been too cheap.
+    // Violations may only have been too cheap; those that a far higher price does not lessen are not.
     while status == SolverStatus::Converged
         && !violations.is_empty()
         && settings.elastic_weight < GREATEST_ELASTIC_WEIGHT
     {
+        let before = total(&violations);
         settings.elastic_weight *= ELASTIC_WEIGHT_INCREASE;
         let iterations = state.iterations;
         state = State::new(problem, state.x, &settings);
         state.iterations = iterations;
         status = solve(problem, &mut state, &settings, &mut work, &mut go_on);
         (violations, shrunk_margins) = shortfalls(problem, &state);
+        if total(&violations) > STUBBORN_SHARE * before {
+            break;
+        }
     }
     if status == SolverStatus::Converged && !violations.is_empty() {
         status = SolverStatus::LocallyInfeasible;
@@ -114,6 +120,11 @@ pub fn optimise_from(
         violations,
         shrunk_margins,
     }
+}
+
+/// Sum of all violations, m and rad.
+fn total(violations: &[Violation]) -> f64 {
+    violations.iter().map(|v| v.amount).sum()
 }
 
 /// A net in which the start's mean separation is at rest, and which holds the widest pair.
@@ -241,6 +252,10 @@ fn shortfalls(problem: &Problem, state: &State) -> (Vec<Violation>, Vec<ShrunkMa
         );
     }
     violations.sort_by(|a, b| b.amount.total_cmp(&a.amount));
+    // Both rows of a thing, that of its margin and that of its claim, tell the same.
+    violations.dedup_by(|b, a| {
+        (a.claim, a.step, a.subject, a.place) == (b.claim, b.step, b.subject, b.place)
+    });
     (violations, margins)
 }
 

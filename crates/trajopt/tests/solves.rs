@@ -1,0 +1,232 @@
+//! Whole solves: feasible, infeasible and cut short; the same bits every time; equivalent formulations agree.
+
+use pairtrawl_certificate::certify;
+use pairtrawl_generate::{Generated, Kind, generate};
+use pairtrawl_geometry::{Point, Pose};
+use pairtrawl_model::{
+    Area, Footprint, Object, Obstacle, PairPose, PairTrajectory, Scene, SolverStatus,
+};
+use pairtrawl_trajopt::{Problem, Settings, Solution, evaluate, optimise, optimise_watched};
+use pairtrawl_world::World;
+
+fn problem(scene: &Scene, net_length: Option<f64>) -> Problem {
+    let world = World::new(scene, net_length).expect("a world");
+    Problem::new(scene, net_length, &world.pieces)
+}
+
+fn witness(difficulty: u8, seed: u64, waypoints: usize) -> Generated {
+    generate(Kind::Witness, difficulty, seed, waypoints).expect("a scene")
+}
+
+fn solve(made: &Generated, net_length: Option<f64>) -> Solution {
+    let problem = problem(&made.scene, net_length);
+    optimise(&problem, &made.witness, &Settings::default())
+}
+
+#[test]
+fn generated_scenes_are_solved_and_certified() {
+    for difficulty in [1, 4, 7, 10] {
+        for (seed, waypoints) in [(1, 120), (2, 200)] {
+            let made = witness(difficulty, seed, waypoints);
+            for net_length in [Some(made.net_length), None] {
+                let at = format!("difficulty {difficulty}, seed {seed}, net {net_length:?}");
+                let solution = solve(&made, net_length);
+                assert_eq!(solution.status, SolverStatus::Converged, "{at}");
+                assert!(solution.violations.is_empty(), "{at}");
+                assert!(solution.iterations <= 150, "{at}: {}", solution.iterations);
+                let certificate = certify(&made.scene, solution.net_length, &solution.trajectory);
+                let failing: Vec<_> = certificate.claims.iter().filter(|c| !c.holds).collect();
+                assert!(failing.is_empty(), "{at}: {failing:?}");
+                let cost = evaluate(&made.scene, &solution.trajectory, solution.net_length);
+                let before = evaluate(&made.scene, &made.witness, made.net_length);
+                // Where margins are tight the optimum pays for more of them than the witness keeps.
+                assert!(
+                    difficulty > 7 || cost.total() < before.total(),
+                    "{at}: no better than the start"
+                );
+                assert_eq!(cost.obstacle, 0.0, "{at}");
+            }
+        }
+    }
+}
+
+/// A pair that is to drive straight on through a gap between two walls.
+fn gap_scene(half_gap: f64) -> (Scene, PairTrajectory) {
+    let mut scene = witness(1, 1, 60).scene;
+    scene.objects.clear();
+    scene.area = Area {
+        min: Point::new(-1.0, -2.0),
+        max: Point::new(5.0, 2.0),
+        resolution: 0.05,
+    };
+    let wall = |low: f64, high: f64| Obstacle::Box {
+        min: Point::new(1.9, low),
+        max: Point::new(2.1, high),
+    };
+    scene.obstacles = vec![wall(half_gap, 3.0), wall(-3.0, -half_gap)];
+    let at = |x: f64| PairPose {
+        left: Pose::new(x, 0.4, 0.0),
+        right: Pose::new(x, -0.4, 0.0),
+    };
+    (scene.start, scene.end) = (at(0.0), at(4.0));
+    let x = |i: usize| 4.0 * i as f64 / 99.0;
+    let start = PairTrajectory {
+        left: (0..100).map(|i| at(x(i)).left).collect(),
+        right: (0..100).map(|i| at(x(i)).right).collect(),
+        step_time: 0.25,
+    };
+    (scene, start)
+}
+
+/// Checks what an infeasible problem says of itself, and that the certificate agrees.
+fn assert_named(scene: &Scene, solution: &Solution, claims: &[&str]) {
+    for v in &solution.violations {
+        assert!((30..70).contains(&v.step), "{v:?}");
+        assert!((v.place.x - 2.0).abs() < 0.8, "{v:?}");
+        assert!(v.amount > 0.0 && v.amount < 1.2, "{v:?}");
+    }
+    for claim in claims {
+        assert!(
+            solution.violations.iter().any(|v| v.claim == *claim),
+            "{claim} is not named: {:?}",
+            solution.violations
+        );
+    }
+    let amounts: Vec<f64> = solution.violations.iter().map(|v| v.amount).collect();
+    assert!(amounts.is_sorted_by(|a, b| a >= b), "worst first");
+    let certificate = certify(scene, solution.net_length, &solution.trajectory);
+    assert!(!certificate.is_valid());
+}
+
+#[test]
+fn a_gap_too_narrow_for_both_robots_is_locally_infeasible() {
+    // 0.72 m: robots of radius 0.24 m, as far askew as they may be, need 0.74 m.
+    let (scene, start) = gap_scene(0.36);
+    for net_length in [Some(1.3), None] {
+        let problem = problem(&scene, net_length);
+        let settings = Settings {
+            max_iterations: 600,
+            ..Settings::default()
+        };
+        let solution = optimise(&problem, &start, &settings);
+        assert_eq!(solution.status, SolverStatus::LocallyInfeasible);
+        assert_named(&scene, &solution, &["separation"]);
+    }
+}
+
+#[test]
+fn an_object_without_room_beside_it_is_named() {
+    let (mut scene, start) = gap_scene(0.6);
+    scene.objects = vec![Object {
+        position: Point::new(2.0, 0.0),
+        footprint: Footprint::Disc(0.2),
+        mass: 0.02,
+    }];
+    let problem = problem(&scene, Some(1.4));
+    let solution = optimise(&problem, &start, &Settings::default());
+    assert_eq!(solution.status, SolverStatus::LocallyInfeasible);
+    assert_named(&scene, &solution, &["robots_miss_objects"]);
+    let object = solution
+        .violations
+        .iter()
+        .find(|v| v.claim == "robots_miss_objects");
+    assert_eq!(object.and_then(|v| v.subject), Some(0));
+}
+
+#[test]
+fn a_wall_in_the_way_is_never_called_solved() {
+    // 0.3 m: no single robot fits. Inside a wall the distance has kinks on which the solver need not settle.
+    let (scene, start) = gap_scene(0.15);
+    let problem = problem(&scene, Some(1.3));
+    let solution = optimise(&problem, &start, &Settings::default());
+    assert!(
+        [
+            SolverStatus::LocallyInfeasible,
+            SolverStatus::IterationLimit
+        ]
+        .contains(&solution.status),
+        "{:?}",
+        solution.status
+    );
+    assert_named(&scene, &solution, &["robot_clearance"]);
+    let worst = &solution.violations[0];
+    assert!(worst.subject.is_some_and(|piece| piece < 2), "{worst:?}");
+}
+
+#[test]
+fn the_same_gap_made_wider_is_passed() {
+    let (scene, start) = gap_scene(0.75);
+    let problem = problem(&scene, Some(1.3));
+    let solution = optimise(&problem, &start, &Settings::default());
+    assert_eq!(solution.status, SolverStatus::Converged);
+    let certificate = certify(&scene, 1.3, &solution.trajectory);
+    assert!(certificate.is_valid(), "{certificate:?}");
+}
+
+#[test]
+fn a_net_that_is_too_short_for_the_ends_is_not_called_solved() {
+    let (scene, start) = gap_scene(0.75);
+    let problem = problem(&scene, Some(0.7));
+    let solution = optimise(&problem, &start, &Settings::default());
+    assert_ne!(solution.status, SolverStatus::Converged);
+    let certificate = certify(&scene, 0.7, &solution.trajectory);
+    assert!(!certificate.is_valid());
+}
+
+#[test]
+fn budgets_are_kept_and_said() {
+    let made = witness(4, 1, 120);
+    let problem = problem(&made.scene, Some(made.net_length));
+    let settings = Settings {
+        max_iterations: 3,
+        ..Settings::default()
+    };
+    let solution = optimise(&problem, &made.witness, &settings);
+    assert_eq!(solution.status, SolverStatus::IterationLimit);
+    assert_eq!(solution.iterations, 3);
+    let mut asked = 0;
+    let mut go_on = |iteration: usize, _: &_| {
+        assert_eq!(iteration, asked);
+        asked += 1;
+        iteration < 5
+    };
+    let solution = optimise_watched(&problem, &made.witness, &Settings::default(), &mut go_on);
+    assert_eq!(solution.status, SolverStatus::TimeLimit);
+    assert_eq!((solution.iterations, asked), (5, 6));
+}
+
+#[test]
+fn the_same_input_gives_the_same_bits() {
+    let made = witness(7, 2, 120);
+    let bits = |solution: &Solution| -> Vec<u64> {
+        let t = &solution.trajectory;
+        t.left
+            .iter()
+            .chain(&t.right)
+            .flat_map(|p| [p.x, p.y, p.heading])
+            .chain([solution.net_length, solution.residuals.gap])
+            .map(f64::to_bits)
+            .collect()
+    };
+    let (first, second) = (solve(&made, None), solve(&made, None));
+    assert_eq!(first.iterations, second.iterations);
+    assert!(bits(&first) == bits(&second));
+}
+
+#[test]
+fn fixing_the_net_at_its_best_length_changes_nothing() {
+    for (difficulty, seed) in [(1, 3), (5, 1), (8, 2)] {
+        let made = witness(difficulty, seed, 120);
+        let free = solve(&made, None);
+        let fixed = solve(&made, Some(free.net_length));
+        let cost = |s: &Solution| evaluate(&made.scene, &s.trajectory, s.net_length).total();
+        let (a, b) = (cost(&free), cost(&fixed));
+        assert_eq!(fixed.status, SolverStatus::Converged);
+        assert!((a - b).abs() <= 1e-4 * b, "{a} free, {b} fixed");
+        // And it is a minimum: lengths to either side cost more.
+        for aside in [-0.15, 0.15] {
+            let other = solve(&made, Some(free.net_length + aside));
+            assert!(cost(&other) > a, "{} at {aside}", cost(&other));
+        }
+    }
+}
