@@ -141,15 +141,17 @@ fn curve_json(curve: &LengthCurve) -> Value {
     })
 }
 
-/// The least and the greatest of the computed lengths whose cost is within [`FLAT`] of the least cost.
+/// The least and the greatest of the computed lengths, the best one included, whose cost is within [`FLAT`] of the least.
 fn flat(curve: &LengthCurve) -> Option<(f64, f64)> {
-    let least = curve.minimum.as_ref()?.1.total();
-    let good = |cost: &Cost| cost.total() <= least * (1.0 + FLAT);
-    let lengths: Vec<f64> = curve
+    let (best, cost) = curve.minimum.as_ref()?;
+    let bound = cost.total() * (1.0 + FLAT);
+    let good = |cost: &Cost| cost.total() <= bound;
+    let lengths = curve
         .points
         .iter()
         .filter(|point| point.outcome.as_ref().is_ok_and(good))
-        .map(|point| point.net_length)
-        .collect();
-    Some((*lengths.first()?, *lengths.last()?))
+        .map(|point| point.net_length);
+    Some(lengths.fold((*best, *best), |(low, high), length| {
+        (f64::min(low, length), f64::max(high, length))
+    }))
 }
