@@ -47,7 +47,7 @@ impl Settings {
     /// For a start that is nearly optimal already, such as the plan before a small change of the scene.
     pub fn warm() -> Self {
         Self {
-            initial_mu: 1e-3,
+            initial_mu: 1e-2,
             ..Self::default()
         }
     }
