@@ -215,6 +215,38 @@ fn the_joint_method_is_within_a_thousandth_of_algorithm_1_or_better() {
 }
 
 #[test]
+fn a_failed_rehearsal_warns_or_refuses() {
+    // No drag is below this bound, so every rehearsal ends with a snag.
+    let (folder, scene) = folder_with(format!("{SMALL}\n[physics]\ntension_limit = 1e-6\n"));
+    let out = folder.path().join("out");
+    let ended = run(&["plan", text(&scene), "-o", text(&out)]);
+    assert_eq!(ended.status.code(), Some(0), "{}", stderr(&ended));
+    assert!(stdout(&ended).contains("warning: the plan is certified, but its rehearsal fails"));
+    let plan: Value =
+        serde_json::from_slice(&std::fs::read(out.join("plan.json")).expect("read")).expect("JSON");
+    assert_eq!(plan["rehearsal"]["status"], "failed");
+    let ended = run(&[
+        "rehearse",
+        text(&scene),
+        text(&out.join("plan.json")),
+        "--quick",
+    ]);
+    assert_eq!(ended.status.code(), Some(7));
+
+    let strict = folder.path().join("strict");
+    let ended = run(&[
+        "plan",
+        text(&scene),
+        "-o",
+        text(&strict),
+        "--require-rehearsal",
+    ]);
+    assert_eq!(ended.status.code(), Some(5), "{}", stderr(&ended));
+    assert!(stderr(&ended).contains("rehearsal"));
+    assert_eq!(files_below(&strict), Vec::<String>::new());
+}
+
+#[test]
 fn time_runs_out_with_5_and_no_file() {
     let folder = tempfile::tempdir().expect("a folder");
     let out = folder.path().join("out");

@@ -235,9 +235,21 @@ impl Course<'_> {
 }
 
 impl Attempt {
-    /// The plan that it becomes, with every claim of its file; not rehearsed yet.
-    pub fn into_plan(self, course: &Course, reference: &SceneReference) -> Plan {
+    /// The plan that it becomes, with every claim of its file and the verdict of its rehearsal.
+    pub fn into_plan(
+        mut self,
+        course: &Course,
+        reference: &SceneReference,
+        record: Option<&RehearsalRecord>,
+    ) -> Plan {
         let scene = course.scene;
+        if let Some(Rehearsal::Failed { event, time, place }) = record.map(|record| &record.verdict)
+        {
+            let (x, y) = (place.x, place.y);
+            self.warnings.push(format!(
+                "the plan is certified, but its rehearsal fails: {event} at {time:.1} s near ({x:.3}, {y:.3})"
+            ));
+        }
         let overrides = Overrides {
             net_length: course.options.net_length.map(|length| match length {
                 NetLength::Auto => None,
@@ -261,7 +273,7 @@ impl Attempt {
             centerline: self.centerline,
             baseline: self.baseline,
             trajectory: self.trajectory,
-            rehearsal: Rehearsal::Skipped,
+            rehearsal: record.map_or(Rehearsal::Skipped, |record| record.verdict.clone()),
             solver: self.solver,
             warnings: self.warnings,
         }

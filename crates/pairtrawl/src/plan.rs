@@ -62,10 +62,7 @@ pub fn plan(
             .and_then(|line| course.rehearsed_attempt(&Origin::Centerline(line), &mut run));
         match attempt {
             Ok((attempt, rehearsal)) => {
-                let mut plan = attempt.into_plan(&course, reference);
-                if let Some(record) = &rehearsal {
-                    plan.rehearsal = record.verdict.clone();
-                }
+                let mut plan = attempt.into_plan(&course, reference, rehearsal.as_ref());
                 if !start.warning.is_empty() {
                     plan.warnings.push(start.warning.clone());
                 }

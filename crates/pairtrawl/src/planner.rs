@@ -95,11 +95,8 @@ fn warm(
     };
     let (attempt, rehearsal) =
         course.rehearsed_attempt(&Origin::Before(rest, before.net_length), &mut run)?;
-    let mut plan = attempt.into_plan(&course, reference);
+    let mut plan = attempt.into_plan(&course, reference, rehearsal.as_ref());
     plan.centerline = before.centerline.clone();
-    if let Some(record) = &rehearsal {
-        plan.rehearsal = record.verdict.clone();
-    }
     Ok(Planned {
         plan,
         rehearsal,
