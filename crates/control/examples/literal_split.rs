@@ -10,16 +10,33 @@ const PLANT: [f64; 2] = [1.43, 0.0152];
 
 /// True when a push of 0.1 rad/s dies out within 20 s.
 fn is_stable(split: InertiaSplit<f64>, delay: f64) -> bool {
-    let Ok(mut law) = MracLaw::new(MracGains { split, ..MracGains::default() }) else { return false };
+    let Ok(mut law) = MracLaw::new(MracGains {
+        split,
+        ..MracGains::default()
+    }) else {
+        return false;
+    };
     let mut line = vec![[0.0; 2]; (delay / PERIOD).round() as usize];
     let mut x = [0.0, 0.1];
     for _ in 0..10_000 {
         let velocity = Velocity::from_array(x);
-        let step = Step { dt: PERIOD, saturated: false };
-        let body = law.force(&RobotModel::paper(), &Desired::default(), 0.0, velocity, step);
+        let step = Step {
+            dt: PERIOD,
+            saturated: false,
+        };
+        let body = law.force(
+            &RobotModel::paper(),
+            &Desired::default(),
+            0.0,
+            velocity,
+            step,
+        );
         line.push([body.force, body.torque]);
         let u = line.remove(0);
-        x = [x[0] + PERIOD * u[0] / PLANT[0], x[1] + PERIOD * u[1] / PLANT[1]];
+        x = [
+            x[0] + PERIOD * u[0] / PLANT[0],
+            x[1] + PERIOD * u[1] / PLANT[1],
+        ];
         if x[1].is_nan() || x[1].abs() > 1e3 {
             return false;
         }
@@ -29,7 +46,9 @@ fn is_stable(split: InertiaSplit<f64>, delay: f64) -> bool {
 
 fn main() {
     println!("delay s | shortest stable filter s | default split");
-    for delay in [0.0, 0.002, 0.004, 0.01, 0.02, 0.03, 0.04, 0.06, 0.08, 0.10, 0.12] {
+    for delay in [
+        0.0, 0.002, 0.004, 0.01, 0.02, 0.03, 0.04, 0.06, 0.08, 0.10, 0.12,
+    ] {
         let literal = |filter_time: f64| is_stable(InertiaSplit::Literal { filter_time }, delay);
         let (mut low, mut high) = (5e-4_f64, 20.0_f64);
         let shortest = if literal(low) {
@@ -37,13 +56,21 @@ fn main() {
         } else if literal(high) {
             for _ in 0..24 {
                 let middle = (low * high).sqrt();
-                if literal(middle) { high = middle } else { low = middle }
+                if literal(middle) {
+                    high = middle
+                } else {
+                    low = middle
+                }
             }
             format!("{high:.3}")
         } else {
             "none".to_owned()
         };
-        let default = if is_stable(InertiaSplit::Reference, delay) { "stable" } else { "unstable" };
+        let default = if is_stable(InertiaSplit::Reference, delay) {
+            "stable"
+        } else {
+            "unstable"
+        };
         println!("{delay:7.3} | {shortest:>24} | {default}");
     }
 }
