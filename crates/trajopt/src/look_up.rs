@@ -15,18 +15,30 @@ const CLAIM_AHEAD: f64 = 0.15;
 /// At most this many obstacle pieces a robot or line at a waypoint: the nearest ones.
 const MOST_PIECES: usize = 6;
 
+/// Lists that are filled anew for every waypoint.
+#[derive(Default)]
+struct Scratch {
+    candidates: Vec<u32>,
+    /// Distances and ids.
+    near: Vec<(f64, u32)>,
+}
+
 impl ActiveSet {
     /// Looks up again what is near, keeping the multipliers of what stays in play.
     pub fn refresh(&mut self, problem: &Problem, x: &Iterate, weight: f64, mu: f64) {
         self.refresh_crossings(problem, x);
-        let old_points = std::mem::take(&mut self.points);
-        let old_rungs = std::mem::take(&mut self.rungs);
-        let mut near = Vec::new();
+        // Room for a few more rows than before: growing lists cost more than looking things up.
+        let room = |rows: usize| rows + rows / 4;
+        let points = Vec::with_capacity(room(self.points.len()));
+        let rungs = Vec::with_capacity(room(self.rungs.len()));
+        let old_points = std::mem::replace(&mut self.points, points);
+        let old_rungs = std::mem::replace(&mut self.rungs, rungs);
+        let mut scratch = Scratch::default();
         for i in 1..x.stages.len() - 1 {
             for robot in 0..2 {
-                self.look_up_point(problem, x, (i, robot), weight, mu, &mut near);
+                self.look_up_point(problem, x, (i, robot), weight, mu, &mut scratch);
             }
-            self.look_up_rung(problem, x, i, weight, mu, &mut near);
+            self.look_up_rung(problem, x, i, weight, mu, &mut scratch);
         }
         carry_over(&mut self.points, &old_points, PointRow::key, |p| &mut p.row);
         carry_over(&mut self.rungs, &old_rungs, RungRow::key, |r| &mut r.row);
@@ -39,7 +51,7 @@ impl ActiveSet {
         (stage, robot): (usize, u8),
         weight: f64,
         mu: f64,
-        near: &mut Vec<(f64, u32)>,
+        Scratch { near, .. }: &mut Scratch,
     ) {
         let p = x.position(stage, robot.into());
         let value = |kind: &PointKind| problem.point_term(kind, |t| t.value(&p.into()));
@@ -103,18 +115,18 @@ impl ActiveSet {
         stage: usize,
         weight: f64,
         mu: f64,
-        near: &mut Vec<(f64, u32)>,
+        Scratch { candidates, near }: &mut Scratch,
     ) {
         near.clear();
         let rung = x.rung(stage);
         let (l, r) = (x.position(stage, 0), x.position(stage, 1));
-        let mut candidates: Vec<u32> = [l, r, l.lerp(r, 0.5)]
-            .iter()
-            .flat_map(|&p| problem.pieces.near(p).iter().copied())
-            .collect();
+        candidates.clear();
+        for p in [l, r, l.lerp(r, 0.5)] {
+            candidates.extend_from_slice(problem.pieces.near(p));
+        }
         candidates.sort_unstable();
         candidates.dedup();
-        for id in candidates {
+        for &mut id in candidates {
             let reach = problem.reserve.net_clearance + LOOK_AHEAD;
             if problem.pieces.get(id).may_be_near(l, r, reach) {
                 let c = problem.rung_distance(id, Tier::Margin).value(&rung);

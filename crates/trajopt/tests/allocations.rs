@@ -35,11 +35,14 @@ fn iterations_make_no_allocations() {
         // what is near to be looked up again.
         let (_, iterations) = counts[counts.len() - 1];
         assert!((10..59).contains(&iterations), "converged: {counts:?}");
-        let rises = counts[5..].windows(2).filter(|w| w[1].0 > w[0].0).count();
-        assert!(
-            rises <= iterations / 5,
-            "{rises} of {iterations}: {counts:?}"
-        );
+        let rises: Vec<u64> = counts[5..]
+            .windows(2)
+            .map(|w| w[1].0 - w[0].0)
+            .filter(|rise| *rise > 0)
+            .collect();
+        assert!(rises.len() <= iterations / 5, "{counts:?}");
+        // A few lists each time, not some for every waypoint.
+        assert!(rises.iter().all(|rise| *rise <= 20), "{counts:?}");
         let still = counts[iterations - 5..=iterations].windows(2);
         assert!(still.clone().all(|w| w[1].0 == w[0].0), "{counts:?}");
     }
