@@ -23,6 +23,17 @@ impl BandMatrix {
         self.columns[column][row - column] += value;
     }
 
+    /// Entry `(row, column)` of either triangle, before factorization.
+    #[cfg(test)]
+    pub fn entry(&self, row: usize, column: usize) -> f64 {
+        let (low, high) = (row.min(column), row.max(column));
+        if high - low > HALF_BANDWIDTH {
+            0.0
+        } else {
+            self.columns[low][high - low]
+        }
+    }
+
     /// Copies another matrix of the same order and adds `shift` to the diagonal.
     pub fn copy_shifted(&mut self, other: &Self, shift: f64) {
         self.columns.clone_from(&other.columns);

@@ -287,7 +287,7 @@ fn difference(mut f: impl FnMut(f64) -> f64) -> f64 {
 }
 
 /// A state near a witness with random multipliers.
-fn shaken(case: &Case, seed: u64) -> State {
+pub fn shaken(case: &Case, seed: u64) -> State {
     let mut random = fastrand::Rng::with_seed(seed);
     let mut x = case.start();
     let last = x.stages.len() - 1;

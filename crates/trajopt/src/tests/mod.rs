@@ -6,6 +6,7 @@ mod derivative_check;
 mod features;
 mod filter;
 mod lagrangian;
+mod matrix;
 mod optimality;
 mod rows;
 mod steps;
