@@ -106,18 +106,34 @@ impl RehearsalEventKind {
             None => "the map's obstacles".to_owned(),
         };
         match self {
-            Self::NetTouchesObstacle { obstacle } => format!("the net touches {}", obstacle_name(obstacle)),
-            Self::Snag { robot } => format!("the net is snagged: tension over the limit at the {} robot", robot.name()),
+            Self::NetTouchesObstacle { obstacle } => {
+                format!("the net touches {}", obstacle_name(obstacle))
+            }
+            Self::Snag { robot } => format!(
+                "the net is snagged: tension over the limit at the {} robot",
+                robot.name()
+            ),
             Self::RobotTouchesObject { robot, object } => {
-                format!("the {} robot touches object {object} from outside the net", robot.name())
+                format!(
+                    "the {} robot touches object {object} from outside the net",
+                    robot.name()
+                )
             }
             Self::RobotsTouch => "the robots touch each other".to_owned(),
             Self::RobotTouchesObstacle { robot, obstacle } => {
-                format!("the {} robot touches {}", robot.name(), obstacle_name(obstacle))
+                format!(
+                    "the {} robot touches {}",
+                    robot.name(),
+                    obstacle_name(obstacle)
+                )
             }
             Self::ObjectEscapes { object } => format!("object {object} escapes from the net"),
-            Self::RobotCaught { robot } => format!("the {} robot is held off its path", robot.name()),
-            Self::ObjectNotGathered { object } => format!("object {object} is not in the net at the end"),
+            Self::RobotCaught { robot } => {
+                format!("the {} robot is held off its path", robot.name())
+            }
+            Self::ObjectNotGathered { object } => {
+                format!("object {object} is not in the net at the end")
+            }
         }
     }
 }

@@ -80,7 +80,9 @@ impl OccupancyMap {
     /// True when the cell is an obstacle; every cell outside the map is one.
     pub fn is_blocked(&self, column: i64, row: i64) -> bool {
         match (usize::try_from(column), usize::try_from(row)) {
-            (Ok(c), Ok(r)) if c < self.columns && r < self.rows => self.blocked[r * self.columns + c],
+            (Ok(c), Ok(r)) if c < self.columns && r < self.rows => {
+                self.blocked[r * self.columns + c]
+            }
             _ => true,
         }
     }
@@ -173,7 +175,13 @@ pub struct Robot {
 
 impl Default for Robot {
     fn default() -> Self {
-        Self { radius: 0.24, hitch: 0.207, v_max: 0.26, omega_max: 1.82, half_track: 0.144 }
+        Self {
+            radius: 0.24,
+            hitch: 0.207,
+            v_max: 0.26,
+            omega_max: 1.82,
+            half_track: 0.144,
+        }
     }
 }
 

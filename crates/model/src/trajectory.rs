@@ -26,7 +26,10 @@ impl PairTrajectory {
 
     /// Both poses at waypoint `i`.
     pub fn pair(&self, i: usize) -> PairPose {
-        PairPose { left: self.left[i], right: self.right[i] }
+        PairPose {
+            left: self.left[i],
+            right: self.right[i],
+        }
     }
 
     /// Time from the first waypoint to the last, s.
@@ -36,7 +39,12 @@ impl PairTrajectory {
 
     /// Driven lengths of (left, right), m.
     pub fn path_lengths(&self) -> (f64, f64) {
-        let length = |poses: &[Pose]| poses.windows(2).map(|w| w[0].position().distance(w[1].position())).sum();
+        let length = |poses: &[Pose]| {
+            poses
+                .windows(2)
+                .map(|w| w[0].position().distance(w[1].position()))
+                .sum()
+        };
         (length(&self.left), length(&self.right))
     }
 }

@@ -13,6 +13,8 @@ pub(crate) struct Filter {
     most: f64,
 }
 
+/// Entries for which there is room from the start, so that the iterations need not make it.
+const ROOM: usize = 128;
 const VIOLATION_DECREASE: f64 = 1e-5;
 const BARRIER_DECREASE: f64 = 1e-5;
 const ARMIJO: f64 = 1e-4;
@@ -20,6 +22,7 @@ const ARMIJO: f64 = 1e-4;
 impl Filter {
     pub fn clear(&mut self) {
         self.entries.clear();
+        self.entries.reserve(ROOM);
         self.most = 0.0;
     }
 

@@ -5,7 +5,6 @@ use crate::filter::Point;
 use crate::interior_point::{State, Workspace};
 use crate::iterate::{Iterate, STAGE};
 use crate::merit::Merit;
-use crate::newton::Longest;
 use crate::problem::Problem;
 use crate::row::Row;
 use crate::step::STEP_BOUNDS;
@@ -15,7 +14,7 @@ const SHORTEST_STEP: f64 = 1e-6;
 
 impl Workspace {
     /// Moves the state along the direction of `self.newton`.
-    pub fn line_search(&mut self, problem: &Problem, state: &mut State, longest: Longest) {
+    pub fn line_search(&mut self, problem: &Problem, state: &mut State, longest: f64) {
         let mu = state.mu;
         let start = Point {
             theta: state.merit.theta,
@@ -23,7 +22,7 @@ impl Workspace {
         };
         let mut slope = self.newton.objective_slope(&self.system);
         each_row!(state.set, row, { slope += row.barrier_slope(mu) });
-        let mut alpha = longest.primal;
+        let mut alpha = longest;
         let reached = loop {
             self.trial
                 .assign_stepped(&state.x, alpha, &self.newton.direction, self.newton.length);
@@ -52,7 +51,7 @@ impl Workspace {
         };
         state.promise = slope.abs();
         std::mem::swap(&mut state.x, &mut self.trial);
-        state.set.advance(taken, longest.dual);
+        state.set.advance(taken);
         state.merit = merit;
     }
 }
@@ -108,8 +107,8 @@ impl ActiveSet {
     }
 
     /// All rows at the last trial point.
-    fn advance(&mut self, alpha: f64, dual: f64) {
-        each_row_mut!(self, row, { row.advance(alpha, dual) });
+    fn advance(&mut self, alpha: f64) {
+        each_row_mut!(self, row, { row.advance(alpha) });
     }
 }
 

@@ -19,16 +19,8 @@ pub(crate) struct Newton {
     arrow: Vec<f64>,
 }
 
-/// Longest step lengths to the boundary.
-#[derive(Clone, Copy, Debug)]
-pub(crate) struct Longest {
-    pub primal: f64,
-    pub dual: f64,
-}
-
 const GREATEST_SHIFT: f64 = 1e10;
 const SMALLEST_PIVOT: f64 = 1e-8;
-const FRACTION_TO_BOUNDARY: f64 = 0.99;
 
 impl Newton {
     /// Solves `(matrix + shift I) direction = -gradient` with the net length as one dense row; the shift grows until the
@@ -75,17 +67,14 @@ impl Newton {
         std::array::from_fn(|v| self.direction[b + v])
     }
 
-    /// Steps of all rows, and new multipliers of the equalities (they always take the full step).
-    pub fn recover(&self, state: &mut State, system: &System, frozen: Option<usize>) -> Longest {
+    /// Steps of all rows, the longest primal step length, and new multipliers of the equalities (they always take the full step).
+    pub fn recover(&self, state: &mut State, system: &System, frozen: Option<usize>) -> f64 {
         let count = state.x.stages.len();
         let mu = state.mu;
-        let mut longest = Longest {
-            primal: 1.0,
-            dual: 1.0,
-        };
+        let mut longest = 1.0;
         // The net keeps half of its length in a step: what is convex in it is so only for positive lengths.
         if self.length < 0.0 {
-            longest.primal = (-0.5 * state.x.net_length / self.length).min(1.0);
+            longest = (-0.5 * state.x.net_length / self.length).min(1.0);
         }
         for (at, rows) in state.set.steps.chunks_exact_mut(STEP_BOUNDS).enumerate() {
             let (i, k) = (at / 2, 3 * (at % 2));
@@ -134,9 +123,9 @@ fn coordinate_of(kind: usize) -> Coordinate {
 }
 
 #[inline]
-fn finish<const K: usize>(row: &mut Row<K>, mu: f64, local: &[f64; K], longest: &mut Longest) {
+fn finish<const K: usize>(row: &mut Row<K>, mu: f64, local: &[f64; K], longest: &mut f64) {
     row.recover(mu, row.residual(), inner(&row.gradient, local));
-    row.limit_steps(FRACTION_TO_BOUNDARY, &mut longest.primal, &mut longest.dual);
+    row.limit_step(longest);
 }
 
 #[inline]

@@ -6,6 +6,19 @@
 
 use crate::merit::Merit;
 
+/// Positive quantities keep the rest of their distance to zero in a step.
+const FRACTION_TO_BOUNDARY: f64 = 0.99;
+
+/// The longest step, at most 1, in which a positive value does not lose more than its share.
+#[inline]
+fn longest_step(value: f64, change: f64) -> f64 {
+    if FRACTION_TO_BOUNDARY * value < -change {
+        -FRACTION_TO_BOUNDARY * value / change
+    } else {
+        1.0
+    }
+}
+
 /// The state of a row.
 #[derive(Clone, Copy, Debug)]
 pub struct Row<const K: usize> {
@@ -130,27 +143,20 @@ impl<const K: usize> Row<K> {
         };
     }
 
-    /// Shrinks primal and dual step lengths so that `s`, `e`, `z`, `y` keep the share `1 - tau` of their distance to zero.
+    /// Shrinks the common step length so that the slack keeps a share of its distance to zero.
+    ///
+    /// Violation and multiplier go their own lengths ([`Self::stepped`], [`Self::advance`]): they concern no other row, and
+    /// one of thousands at its bound would hold up all.
     #[inline]
-    pub fn limit_steps(&self, tau: f64, primal: &mut f64, dual: &mut f64) {
-        let limit = |value: f64, change: f64, step: &mut f64| {
-            if change < 0.0 {
-                *step = step.min(-tau * value / change);
-            }
-        };
-        limit(self.s, self.ds, primal);
-        limit(self.z, self.dz, dual);
-        if self.weight.is_finite() {
-            limit(self.e, self.de, primal);
-            limit(self.y(), -self.dz, dual);
-        }
+    pub fn limit_step(&self, longest: &mut f64) {
+        *longest = longest.min(longest_step(self.s, self.ds));
     }
 
     /// Slack and violation after a primal step of length `alpha` to where the constraint has value `c`: slack that the
     /// constraint does not need is given back at once.
     #[inline]
     pub fn stepped(&self, alpha: f64, c: f64) -> (f64, f64) {
-        let e = self.e + alpha * self.de;
+        let e = (self.e + alpha * self.de).max((1.0 - FRACTION_TO_BOUNDARY) * self.e);
         ((self.s + alpha * self.ds).max(c + e), e)
     }
 
@@ -159,11 +165,15 @@ impl<const K: usize> Row<K> {
         (self.ds, self.de, self.dz) = (0.0, 0.0, 0.0);
     }
 
-    /// Takes the step to the last trial point.
+    /// Takes the step to the last trial point, and as much of the dual step as keeps `z` and `y` positive.
     #[inline]
-    pub fn advance(&mut self, alpha: f64, dual: f64) {
+    pub fn advance(&mut self, alpha: f64) {
         self.c = self.trial;
         (self.s, self.e) = self.stepped(alpha, self.c);
+        let mut dual = longest_step(self.z, self.dz);
+        if self.weight.is_finite() {
+            dual = dual.min(longest_step(self.y(), -self.dz));
+        }
         self.z += dual * self.dz;
     }
 

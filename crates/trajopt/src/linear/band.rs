@@ -49,7 +49,7 @@ impl BandMatrix {
             let (head, tail) = self.columns.split_at_mut(j + 1);
             let column = &mut head[j];
             let pivot = column[0];
-            if !(pivot > tiny) {
+            if pivot.is_nan() || pivot <= tiny {
                 return Err(j);
             }
             let inverse = 1.0 / pivot;
