@@ -1,5 +1,10 @@
 //! The band matrix against a dense one.
 
+#![allow(
+    clippy::needless_range_loop,
+    reason = "rows and columns read as in the formulas"
+)]
+
 use super::between;
 use crate::linear::BandMatrix;
 use fastrand::Rng;

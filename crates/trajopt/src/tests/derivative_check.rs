@@ -55,6 +55,11 @@ pub enum Fault {
     Wrong(String),
 }
 
+/// False for what is not a number.
+fn within(error: f64, bound: f64) -> bool {
+    error.abs() <= bound
+}
+
 fn moved<const K: usize>(z: &[f64; K], changes: &[(usize, f64)]) -> [f64; K] {
     let mut moved = *z;
     for &(i, change) in changes {
@@ -67,17 +72,17 @@ fn moved<const K: usize>(z: &[f64; K], changes: &[(usize, f64)]) -> [f64; K] {
 pub fn check<const K: usize>(term: &dyn Term<K>, z: &[f64; K], reach: f64) -> Result<(), Fault> {
     let jet = term.jet(z);
     let value = term.value(z);
-    if !((jet.value - value).abs() <= 1e-12 * (1.0 + value.abs())) {
+    if !within(jet.value - value, 1e-12 * (1.0 + value.abs())) {
         return Err(Fault::Wrong(format!("value {} for {value}", jet.value)));
     }
     let largest = |m: f64, v: &f64| m.max(v.abs());
     let steepest = 1.0 + jet.gradient.iter().fold(0.0, largest);
     let sharpest = 1.0 + jet.hessian.iter().flatten().fold(0.0, largest);
     let compare = |what: &str, given: f64, found: Estimate, scale: f64| {
-        if !(found.error <= 1e-5 * scale) {
+        if !within(found.error, 1e-5 * scale) {
             return Err(Fault::Rough);
         }
-        if !((given - found.value).abs() <= 1e-6 * scale + 3.0 * found.error) {
+        if !within(given - found.value, 1e-6 * scale + 3.0 * found.error) {
             let message = format!("{what}: {given}, by differences {found:?}, at {z:?}");
             return Err(Fault::Wrong(message));
         }
@@ -108,8 +113,8 @@ pub fn check<const K: usize>(term: &dyn Term<K>, z: &[f64; K], reach: f64) -> Re
                 found,
                 sharpest,
             )?;
-            let skew = (jet.hessian[i][j] - jet.hessian[j][i]).abs();
-            if !(skew <= 1e-13 * sharpest) {
+            let skew = jet.hessian[i][j] - jet.hessian[j][i];
+            if !within(skew, 1e-13 * sharpest) {
                 return Err(Fault::Wrong(format!(
                     "hessian not symmetric at {i}, {j}: {skew}"
                 )));
