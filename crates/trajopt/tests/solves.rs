@@ -247,3 +247,29 @@ fn fixing_the_net_at_its_best_length_changes_nothing() {
         }
     }
 }
+
+#[test]
+fn a_frozen_robot_stays_where_it_is_while_the_other_gains() {
+    let made = witness(4, 1, 120);
+    for frozen in [0, 1] {
+        let mut problem = problem(&made.scene, Some(made.net_length));
+        problem.frozen = Some(frozen);
+        let solution = optimise(&problem, &made.witness, &Settings::default());
+        let robots = |t: &PairTrajectory| [t.left.clone(), t.right.clone()];
+        let (before, after) = (robots(&made.witness), robots(&solution.trajectory));
+        let farthest = |robot: usize| {
+            before[robot]
+                .iter()
+                .zip(&after[robot])
+                .map(|(a, b)| a.position().distance(b.position()))
+                .fold(0.0, f64::max)
+        };
+        assert!(farthest(frozen) < 1e-9, "{}", farthest(frozen));
+        assert!(farthest(1 - frozen) > 1e-2, "{}", farthest(1 - frozen));
+        let cost = |t: &PairTrajectory| evaluate(&made.scene, t, made.net_length).total();
+        assert!(cost(&solution.trajectory) < cost(&made.witness));
+        // Joint is never worse.
+        let joint = solve(&made, Some(made.net_length));
+        assert!(cost(&joint.trajectory) < cost(&solution.trajectory));
+    }
+}
