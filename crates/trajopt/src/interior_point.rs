@@ -36,7 +36,7 @@ impl Default for Settings {
             initial_mu: 1.0,
             barrier_decrease: 0.1,
             relative_gap: 2e-4,
-            relative_decrease: 5e-5,
+            relative_decrease: 1e-5,
             feasibility_tolerance: 1e-6,
             elastic_weight: 3e3,
         }
