@@ -273,3 +273,23 @@ fn a_frozen_robot_stays_where_it_is_while_the_other_gains() {
         assert!(cost(&joint.trajectory) < cost(&solution.trajectory));
     }
 }
+
+#[test]
+fn a_disc_between_the_robots_is_not_overlooked() {
+    // The line between the robots sweeps over it, far from either.
+    let (mut scene, start) = gap_scene(1.9);
+    scene.obstacles = vec![Obstacle::Circle {
+        center: Point::new(2.0, 0.0),
+        radius: 0.05,
+    }];
+    let problem = problem(&scene, Some(1.3));
+    let solution = optimise(&problem, &start, &Settings::default());
+    let certificate = certify(&scene, solution.net_length, &solution.trajectory);
+    if certificate.is_valid() {
+        assert_eq!(solution.status, SolverStatus::Converged);
+    } else {
+        assert_ne!(solution.status, SolverStatus::Converged);
+        assert_named(&scene, &solution, &["net_encloses_no_obstacle"]);
+        assert_eq!(solution.violations[0].subject, Some(0));
+    }
+}
