@@ -43,7 +43,7 @@ impl LengthRange {
         }
     }
 
-    fn lengths(&self) -> impl Iterator<Item = f64> {
+    pub(crate) fn lengths(&self) -> impl Iterator<Item = f64> {
         let steps = self.points.max(2) - 1;
         (0..=steps).map(move |i| self.from + (self.to - self.from) * i as f64 / steps as f64)
     }

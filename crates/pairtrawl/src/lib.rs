@@ -71,6 +71,7 @@ mod run;
 mod starts;
 mod summary;
 mod tighten;
+mod variants;
 mod waypoints;
 
 pub use check::{Candidate, check};
@@ -89,3 +90,4 @@ pub use plan::{Planned, plan};
 pub use planner::Planner;
 pub use rehearse::{Rehearsed, rehearse};
 pub use summary::{claim_summaries, summarize, summarize_execution};
+pub use variants::{SeparationStudy, separation_study};

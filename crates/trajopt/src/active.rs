@@ -16,7 +16,7 @@ const CLAIM_PRICE: f64 = 30.0;
 /// A chord between waypoints comes this much nearer to a corner than the waypoints, m: `max_step^2 / (8 radius)`.
 pub(crate) const SAG: f64 = 1.4e-3;
 /// A rigid separation holds to this, m.
-const RIGID_TOLERANCE: f64 = 1e-3;
+const RIGID_TOLERANCE: f64 = 5e-3;
 
 /// How much is kept from a thing: the wished-for margin, which may give way at a price, or what the claim needs, which
 /// costs far more. Without the second a squeezed robot would give up all of one distance to save another.

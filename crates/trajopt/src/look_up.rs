@@ -4,6 +4,7 @@
 use crate::active::{ActiveSet, PointKind, PointRow, RungRow, Tier};
 use crate::constraints::HalfPlane;
 use crate::iterate::Iterate;
+use crate::pieces::SEARCH_RADIUS;
 use crate::problem::Problem;
 use crate::row::Row;
 use crate::term::Term;
@@ -121,7 +122,10 @@ impl ActiveSet {
         let rung = x.rung(stage);
         let (l, r) = (x.position(stage, 0), x.position(stage, 1));
         candidates.clear();
-        for p in [l, r, l.lerp(r, 0.5)] {
+        // Near enough to each other that what is near the line is found from one of them.
+        let stretches = (l.distance(r) / SEARCH_RADIUS).ceil().max(1.0);
+        for k in 0..=stretches as usize {
+            let p = l.lerp(r, k as f64 / stretches);
             candidates.extend_from_slice(problem.pieces.near(p));
         }
         candidates.sort_unstable();

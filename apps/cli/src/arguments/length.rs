@@ -8,7 +8,8 @@ use std::path::PathBuf;
 #[command(after_help = "Example:
   pairtrawl length hall/scene.toml --from 1.0 --to 3.0 --points 21 -o out/length
 
-Number of waypoints, visiting order and sides are the same for every length. Writes length.json, length.csv, length.svg.")]
+Number of waypoints, visiting order and sides are the same for every length. Writes length.json, length.csv, length.svg;
+with --compare also separation.csv.")]
 pub struct LengthArguments {
     /// The scene, a TOML file
     #[arg(value_name = "SCENE", value_hint = ValueHint::FilePath)]
@@ -33,6 +34,10 @@ pub struct LengthArguments {
     /// Visiting order: the scene's own, or the shortest
     #[arg(long, value_enum)]
     pub order: Option<Order>,
+
+    /// Also solve with the paper's two other rules for the separation (studies, no plans): none at all, and rigid
+    #[arg(long)]
+    pub compare: bool,
 
     /// Where to write, created when missing
     #[arg(short, long, value_name = "DIR", default_value = "out", value_hint = ValueHint::DirPath)]

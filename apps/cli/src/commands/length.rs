@@ -6,7 +6,7 @@ use crate::output::{self, Done};
 use crate::progress::Progress;
 use pairtrawl::files::{read_scene, write_atomically};
 use pairtrawl::model::{Cost, LengthCurve};
-use pairtrawl::{LengthRange, OrderMethod, PlanOptions, report};
+use pairtrawl::{LengthRange, OrderMethod, PlanOptions, SeparationStudy, report};
 use serde_json::{Value, json};
 use std::fmt::Write;
 
@@ -42,17 +42,26 @@ pub fn length(arguments: &LengthArguments) -> Result<Done, Failure> {
     };
     let mut progress = Progress::new();
     let curve = pairtrawl::length_curve(&loaded.scene, &options, &range, &mut progress);
+    let study = arguments
+        .compare
+        .then(|| pairtrawl::separation_study(&loaded.scene, &options, &range, &mut progress));
     progress.finish();
     let curve = curve?;
+    let study = study.transpose()?;
 
-    let object = curve_json(&curve);
+    let mut object = curve_json(&curve);
+    if let Some(study) = &study {
+        object["separation"] = study_json(study);
+    }
     let json_text = format!("{object}\n");
     let (csv, svg) = (report::length_csv(&curve), report::length_svg(&curve));
-    let contents = [
+    let study_csv = study.as_ref().map(|study| study_csv(&curve, study));
+    let mut contents = vec![
         ("length.csv", &csv),
         ("length.svg", &svg),
         ("length.json", &json_text),
     ];
+    contents.extend(study_csv.as_ref().map(|text| ("separation.csv", text)));
     let files: Vec<_> = contents
         .iter()
         .map(|(name, _)| arguments.output.join(name))
@@ -65,9 +74,11 @@ pub fn length(arguments: &LengthArguments) -> Result<Done, Failure> {
     })?;
 
     let mut text = curve_text(&curve);
+    if let Some(study) = &study {
+        text.push_str(&study_text(study));
+    }
     output::warnings(&mut text, &loaded.warnings);
     let _ = writeln!(text, "wrote {}", list(&files));
-    let mut object = object;
     object["command"] = json!("length");
     object["warnings"] = json!(loaded.warnings);
     object["files"] = files
@@ -120,16 +131,17 @@ fn curve_text(curve: &LengthCurve) -> String {
     text
 }
 
+fn terms(cost: &Cost) -> Value {
+    json!({
+        "total": cost.total(),
+        "smoothness": cost.smoothness,
+        "distance": cost.distance,
+        "obstacle": cost.obstacle,
+        "expansion": cost.expansion,
+    })
+}
+
 fn curve_json(curve: &LengthCurve) -> Value {
-    let terms = |cost: &Cost| {
-        json!({
-            "total": cost.total(),
-            "smoothness": cost.smoothness,
-            "distance": cost.distance,
-            "obstacle": cost.obstacle,
-            "expansion": cost.expansion,
-        })
-    };
     json!({
         "scene": curve.title,
         "points": curve.points.iter().map(|point| match &point.outcome {
@@ -139,6 +151,61 @@ fn curve_json(curve: &LengthCurve) -> Value {
         "minimum": curve.minimum.as_ref().map(|(length, cost)| json!({ "net_length": length, "cost": terms(cost) })),
         "flat": flat(curve).map(|(low, high)| json!({ "share": FLAT, "from": low, "to": high })),
     })
+}
+
+fn study_text(study: &SeparationStudy) -> String {
+    let mut text = String::from("  other rules for the separation (studies: no plans)\n");
+    let _ = match &study.free {
+        Ok((needed, cost)) => writeln!(
+            text,
+            "    none at all: distance cost {:.1}, takes a net of {needed:.2} m",
+            cost.distance
+        ),
+        Err(reason) => writeln!(text, "    none at all: no solution: {reason}"),
+    };
+    for (length, outcome) in &study.rigid {
+        let _ = match outcome {
+            Ok(cost) => writeln!(
+                text,
+                "    rigid, net {length:.3} m: distance cost {:.1}",
+                cost.distance
+            ),
+            Err(reason) => writeln!(text, "    rigid, net {length:.3} m: no solution: {reason}"),
+        };
+    }
+    text
+}
+
+fn study_json(study: &SeparationStudy) -> Value {
+    json!({
+        "free": match &study.free {
+            Ok((needed, cost)) => json!({ "net_length": needed, "cost": terms(cost) }),
+            Err(reason) => json!({ "reason": reason }),
+        },
+        "rigid": study.rigid.iter().map(|(length, outcome)| match outcome {
+            Ok(cost) => json!({ "net_length": length, "cost": terms(cost) }),
+            Err(reason) => json!({ "net_length": length, "reason": reason }),
+        }).collect::<Vec<_>>(),
+    })
+}
+
+/// Distance cost of the three rules over the net length; empty where there is no solution.
+fn study_csv(curve: &LengthCurve, study: &SeparationStudy) -> String {
+    let cell = |cost: Option<f64>| cost.map_or(String::new(), |cost| cost.to_string());
+    let free = study.free.as_ref().ok().map(|(_, cost)| cost.distance);
+    let mut text = String::from("net_length,u_shape_distance,rigid_distance,free_distance\n");
+    for (point, (length, rigid)) in curve.points.iter().zip(&study.rigid) {
+        let u_shape = point.outcome.as_ref().ok().map(|cost| cost.distance);
+        let rigid = rigid.as_ref().ok().map(|cost| cost.distance);
+        let _ = writeln!(
+            text,
+            "{length},{},{},{}",
+            cell(u_shape),
+            cell(rigid),
+            cell(free)
+        );
+    }
+    text
 }
 
 /// The least and the greatest of the computed lengths, the best one included, whose cost is within [`FLAT`] of the least.

@@ -1,0 +1,92 @@
+use crate::run::Run;
+use crate::starts::starts;
+use crate::{LengthRange, Observer, PlanError, PlanOptions, Stage};
+use pairtrawl_model::{Cost, PairTrajectory, Scene};
+use pairtrawl_route::baseline;
+use pairtrawl_trajopt::{Problem, SeparationRule, Settings, Solution, evaluate, optimise};
+use pairtrawl_world::World;
+use rayon::prelude::*;
+
+/// The paper's comparison of its U-shaped separation cost with two others (its Fig. 7). Studies: their trajectories break
+/// claims, so they are never plans.
+#[derive(Clone, Debug, PartialEq)]
+pub struct SeparationStudy {
+    /// Without any bound or cost on the separation (the paper's baseline 1): the net length that it takes, m, and the cost;
+    /// or why there is no solution.
+    pub free: Result<(f64, Cost), String>,
+    /// For each net length, m, with the separation held at d_rest (baseline 2): the cost, or why there is no solution.
+    pub rigid: Vec<(f64, Result<Cost, String>)>,
+}
+
+/// Solves both from the same start and with the same number of waypoints as [`length_curve`](crate::length_curve()).
+///
+/// # Errors
+/// As [`plan`](crate::plan()), when there is no route at all.
+pub fn separation_study(
+    scene: &Scene,
+    options: &PlanOptions,
+    range: &LengthRange,
+    observer: &mut dyn Observer,
+) -> Result<SeparationStudy, PlanError> {
+    let mut run = Run::new(options, observer);
+    let world = run.stage(Stage::World, || World::new(scene, None))??;
+    let starts = run.stage(Stage::Order, || starts(&world, scene, options))??;
+    let start = starts.first().ok_or_else(PlanError::no_start)?;
+    let centerline = run.stage(Stage::Centerline, || {
+        start.centerline(&world, scene, options.seed)
+    })??;
+    let given = options.waypoints.or(scene.planner.waypoints);
+    let baseline = run.stage(Stage::Baseline, || {
+        baseline(&world, scene, &centerline, &start.order, given)
+    })??;
+    let problem = |net_length| Problem::new(scene, Some(net_length), &world.pieces);
+    let settings = Settings::default();
+
+    let lengths: Vec<f64> = range.lengths().collect();
+    run.stage(Stage::Optimise, || {
+        let mut free = problem(range.from);
+        free.separation = SeparationRule::Free;
+        let solution = optimise(&free, &baseline, &settings);
+        let rigid = lengths
+            .par_iter()
+            .map(|&length| {
+                let problem = problem(length).with_rigid_separation(baseline.len(), length);
+                let solution = optimise(&problem, &baseline, &settings);
+                let cost = evaluate(scene, &solution.trajectory, length);
+                (length, refused(&solution).map_or(Ok(cost), Err))
+            })
+            .collect();
+        let needed = needed_length(&solution.trajectory, scene.robot.hitch);
+        let cost = evaluate(scene, &solution.trajectory, needed);
+        SeparationStudy {
+            free: refused(&solution).map_or(Ok((needed, cost)), Err),
+            rigid,
+        }
+    })
+}
+
+/// Why a solution does not count.
+fn refused(solution: &Solution) -> Option<String> {
+    let worst = solution.violations.first().map(|violation| {
+        format!(
+            "{} fails by {:.3} at waypoint {}",
+            violation.claim, violation.amount, violation.step
+        )
+    });
+    worst.or_else(|| {
+        (solution.status != pairtrawl_model::SolverStatus::Converged)
+            .then(|| format!("the solver ended with {:?}", solution.status))
+    })
+}
+
+/// The net that reaches between axles and between hitches at every waypoint, m.
+fn needed_length(pair: &PairTrajectory, hitch: f64) -> f64 {
+    pair.left
+        .iter()
+        .zip(&pair.right)
+        .map(|(left, right)| {
+            let axles = left.position().distance(right.position());
+            axles.max(left.hitch_point(hitch).distance(right.hitch_point(hitch)))
+        })
+        .fold(0.0, f64::max)
+}
