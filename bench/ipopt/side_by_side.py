@@ -1,0 +1,219 @@
+#!/usr/bin/env python3
+"""Pairtrawl's optimizer and CasADi + IPOPT on the same joint problems, from the same starts, judged by the same `check`."""
+
+import argparse
+import datetime
+import json
+import math
+import os
+import platform
+import statistics
+import subprocess
+import sys
+import tempfile
+from pathlib import Path
+
+os.environ.update(OMP_NUM_THREADS="1", RAYON_NUM_THREADS="1", OPENBLAS_NUM_THREADS="1")
+
+import casadi
+
+from scene import cost, read_scene
+from solve import solve, start_of, write_plan
+
+ROOT = Path(__file__).resolve().parents[2]
+PROGRAM = Path(os.environ.get("CARGO_TARGET_DIR", ROOT / "target")) / "release" / "pairtrawl"
+# IPOPT's results count as equally good within this; of those the faster one stands for it.
+EQUAL = 1e-4
+# Our cost may be this much above IPOPT's.
+TOLERANCE = 1e-3
+
+
+def cases(difficulties, seeds):
+    """(name, scene file or arguments of `generate`, arguments of `plan`)."""
+    given = [
+        ("paper-experiment-200", "paper-experiment", ["--waypoints", "200"]),
+        ("paper-experiment", "paper-experiment", []),
+        ("paper-experiment-200-free", "paper-experiment", ["--waypoints", "200", "--net-length", "auto"]),
+        ("paper-simulation", "paper-simulation", ["--net-length", "2.0"]),
+        ("authors-simulation", "authors-simulation", ["--net-length", "2.0"]),
+    ]
+    given += [(f"witness-{k}", f"witness-{k}", []) for k in range(1, 10)]
+    made = [
+        (f"generated-{d}-{s}", ["--kind", "witness", "--difficulty", str(d), "--seed", str(s), "-n", "200"], [])
+        for s in seeds
+        for d in difficulties
+    ]
+    return given + made
+
+
+def run(*command):
+    return subprocess.run([str(c) for c in command], capture_output=True, text=True, check=False)
+
+
+def valid(scene, plan):
+    """Whether every claim holds, and the names of those that do not."""
+    done = run(PROGRAM, "check", scene, plan, "--json")
+    if done.returncode not in (0, 6):
+        sys.exit(f"check ended with {done.returncode}: {done.stderr}")
+    return done.returncode == 0, [c["name"] for c in json.loads(done.stdout)["claims"] if not c["holds"]]
+
+
+def ipopt_results(file, scene, plan, free, directory):
+    """Every formulation from the same start; with margins that may give way only where none is valid."""
+    results = []
+    for elastic in (False, True):
+        for formulation in ("slip", "steps"):
+            result = solve(scene, start_of(plan), None if free else plan["net_length"], formulation, elastic)
+            path = directory / f"ipopt-{formulation}-{'elastic' if elastic else 'hard'}.json"
+            write_plan(path, plan, result)
+            result["valid"], result["failed"] = valid(file, path)
+            result["converged"] = result["status"] in ("Solve_Succeeded", "Solved_To_Acceptable_Level")
+            results.append({k: v for k, v in result.items() if k not in ("left", "right")})
+        if any(r["valid"] for r in results):
+            break
+    return results
+
+
+def better(results):
+    """The fastest valid result that costs no more than the least does, or None."""
+    good = [r for r in results if r["valid"]]
+    if not good:
+        return None
+    least = min(r["cost"] for r in good)
+    return min((r for r in good if r["cost"] <= least * (1 + EQUAL)), key=lambda r: r["seconds"])
+
+
+def compare(name, source, arguments, directory, repeats):
+    """One row of the table."""
+    directory.mkdir(parents=True, exist_ok=True)
+    if isinstance(source, str):
+        file = ROOT / "scenes" / source / "scene.toml"
+    else:
+        made = run(PROGRAM, "generate", *source, "-o", directory / "scene")
+        if made.returncode:
+            sys.exit(f"{name}: {made.stderr}")
+        file = directory / "scene" / "scene.toml"
+    row, times, plan = {"scene": name}, [], None
+    for _ in range(repeats):
+        done = run(PROGRAM, "plan", file, "--no-rehearsal", "-o", directory / "ours", *arguments)
+        if done.returncode:
+            return row | {"ours": None, "note": f"plan exits {done.returncode}: {done.stderr.strip()[-200:]}"}
+        plan = json.loads((directory / "ours" / "plan.json").read_text())
+        times.append(plan["solver"]["seconds"])
+    scene = read_scene(file)
+    total = cost(scene.planner, plan["left"], plan["right"], plan["net_length"])[0]
+    if not math.isclose(total, plan["cost"]["total"], rel_tol=1e-9):
+        sys.exit(f"{name}: J is {total} here and {plan['cost']['total']} in plan.json")
+    row["waypoints"] = len(plan["left"])
+    row["ours"] = {
+        "cost": total, "valid": valid(file, directory / "ours" / "plan.json")[0], "seconds": statistics.median(times),
+        "iterations": plan["solver"]["iterations"], "net_length": plan["net_length"],
+        "shrunk_margins": len(plan.get("warnings", [])),
+    }  # fmt: skip
+    free = "auto" in arguments
+    row["ipopt_runs"] = ipopt_results(file, scene, plan, free, directory)
+    row["ipopt"] = better(row["ipopt_runs"])
+    if row["ipopt"]:
+        row["cost_ratio"] = total / row["ipopt"]["cost"]
+        row["speedup"] = row["ipopt"]["seconds"] / row["ours"]["seconds"]
+    return row
+
+
+HEAD = (
+    "| scene | N | J ours | J IPOPT | ours/IPOPT | valid ours/IPOPT | s ours | s IPOPT | times faster "
+    "| iterations ours/IPOPT | formulation |\n|---|---|---|---|---|---|---|---|---|---|---|"
+)
+
+
+def line(row):
+    """A row in Markdown."""
+    o, i = row["ours"], row.get("ipopt")
+    if o is None:
+        return f"| {row['scene']} | | no plan | | | no/ | | | | | {row['note']} |"
+    left = f"| {row['scene']} | {row['waypoints']} | {o['cost']:.2f} "
+    mine = "yes" if o["valid"] else "no"
+    if i is None:
+        why = "; ".join(
+            f"{r['formulation']}{' elastic' if r['elastic'] else ''}: {r['status']}"
+            + (f" ({', '.join(r['failed'])})" if r["converged"] else "")
+            for r in row["ipopt_runs"]
+        )
+        spent = min(r["seconds"] for r in row["ipopt_runs"])
+        return left + f"| - | - | {mine}/no | {o['seconds']:.4f} | ({spent:.2f}) | - | {o['iterations']}/- | {why} |"
+    kind = i["formulation"] + (", elastic" if i["elastic"] else "") + ("" if i["converged"] else f", {i['status']}")
+    return left + (
+        f"| {i['cost']:.2f} | {row['cost_ratio']:.5f} | {mine}/yes | {o['seconds']:.4f} | {i['seconds']:.3f} "
+        f"| {row['speedup']:.0f} | {o['iterations']}/{i['iterations']} | {kind} |"
+    )
+
+
+def summary(rows):
+    """Medians and the rows where ours is worse."""
+    both = [r for r in rows if "cost_ratio" in r]
+    text = [f"{len(rows)} scenes; ours valid on {sum(bool(r['ours'] and r['ours']['valid']) for r in rows)}, "
+            f"IPOPT (better of its formulations) on {len(both)}."]  # fmt: skip
+    if both:
+        ratios, speedups = [r["cost_ratio"] for r in both], [r["speedup"] for r in both]
+        text.append(
+            f"Where both are valid: median J ours/IPOPT {statistics.median(ratios):.6f} (least {min(ratios):.5f}, greatest "
+            f"{max(ratios):.5f}); median times faster {statistics.median(speedups):.0f} (least {min(speedups):.0f}, "
+            f"greatest {max(speedups):.0f})."
+        )
+        worse = [f"{r['scene']} ({100 * (r['cost_ratio'] - 1):+.2f} %)" for r in both if r["cost_ratio"] > 1 + TOLERANCE]
+        best = [f"{r['scene']} ({100 * (r['cost_ratio'] - 1):+.2f} %)" for r in both if r["cost_ratio"] < 1 - TOLERANCE]
+        text.append(f"Ours costs more by over 0.1 %: {', '.join(worse) or 'nowhere'}.")
+        text.append(f"Ours costs less by over 0.1 %: {', '.join(best) or 'nowhere'}.")
+    return "\n".join(text)
+
+
+def machine():
+    """Processor, cores, versions and the day."""
+    model = platform.processor() or platform.machine()
+    try:
+        for entry in Path("/proc/cpuinfo").read_text().splitlines():
+            if entry.startswith("model name"):
+                model = entry.split(":", 1)[1].strip()
+                break
+    except OSError:
+        pass
+    commit = run("git", "-C", ROOT, "rev-parse", "--short", "HEAD").stdout.strip() or "unknown"
+    load = os.getloadavg()[0] if hasattr(os, "getloadavg") else math.nan
+    return (
+        f"{model}, {os.cpu_count()} cores (one process, one thread each), load {load:.1f} at the end; CasADi "
+        f"{casadi.__version__}, Python {platform.python_version()}, commit {commit}, {datetime.date.today().isoformat()}"
+    )
+
+
+def main():
+    parser = argparse.ArgumentParser(description=__doc__)
+    parser.add_argument("--scenes", nargs="*", help="names, or parts of names, of the table's first column")
+    parser.add_argument("--difficulties", nargs="*", type=int, default=list(range(1, 11)))
+    parser.add_argument("--seeds", nargs="*", type=int, default=[1, 2], help="of generated scenes, each difficulty")
+    parser.add_argument("--repeats", type=int, default=5, help="our runs a scene; the median time counts")
+    parser.add_argument("--json", type=Path, help="write every figure here")
+    parser.add_argument("--markdown", type=Path, help="write the table here")
+    args = parser.parse_args()
+    chosen = [
+        c for c in cases(args.difficulties, args.seeds) if not args.scenes or any(s in c[0] for s in args.scenes)
+    ]
+    if not chosen:
+        parser.error(f"no scene is called {args.scenes}")
+    if not PROGRAM.exists():
+        sys.exit(f"{PROGRAM} is missing: cargo build --release")
+    rows = []
+    print(HEAD, flush=True)
+    with tempfile.TemporaryDirectory() as directory:
+        for case in chosen:
+            rows.append(compare(*case, Path(directory) / case[0], args.repeats))
+            print(line(rows[-1]), flush=True)
+            # Written as it goes: a run that is cut still leaves its rows.
+            if args.json:
+                args.json.write_text(json.dumps({"machine": machine(), "rows": rows}, indent=1))
+            if args.markdown:
+                table = "\n".join([HEAD, *map(line, rows)])
+                args.markdown.write_text(f"{machine()}\n\n{table}\n\n{summary(rows)}\n")
+    print(f"\n{summary(rows)}\n{machine()}")
+
+
+if __name__ == "__main__":
+    main()
