@@ -22,33 +22,37 @@ ROUNDING = 2e-6
 # Objects and obstacles are in play up to this far beyond what is kept from them, m. Wider than ours (0.35 m, looked up
 # anew in every iteration), since rows here are fixed while IPOPT runs.
 LOOK_AHEAD = 0.6
+WIDE_LOOK_AHEAD = 2.0
 # Price of a meter of margin that gives way, as in `Settings::default`.
 ELASTIC_WEIGHT = 3e3
 # Solves at most: rows that turn out to be missing are added and IPOPT starts again from where it ended.
 ROUNDS = 3
+# Solves that take longer are not repeated, s.
+LONG = 2.0
 # Beyond this share of a branch J_e goes on as a polynomial, as in `costs/expansion.rs`.
 LIMIT = 0.97
 
 
 class Rows:
-    """Which objects and corners are in play, at which waypoint: lists of (waypoint, robot, index)."""
+    """Which objects and corners are in play, at which waypoint: sets of (waypoint, ...) tuples."""
 
-    def __init__(self, scene, poses):
-        self.objects, self.pieces, self.corners, self.sides, self.area = set(), set(), set(), set(), set()
-        self.add(scene, poses)
+    def __init__(self):
+        self.objects, self.pieces, self.corners, self.sides = set(), set(), set(), set()
 
-    def add(self, scene, poses, look_ahead=LOOK_AHEAD):
-        """Adds what is near; true when something that IPOPT's result violates was missing."""
-        keep = scene.radius + scene.planner["clearance"]
+    def add(self, scene, poses, look_ahead):
+        """Adds what is nearer than `look_ahead`; true when a row was missing that the poses break."""
+        clearance = scene.planner["clearance"]
+        keep = scene.radius + clearance
         ops, inner = far.Numbers, np.arange(1, len(poses) - 1)
         missing = False
 
         def near(into, values, *key):
             nonlocal missing
             for i in inner[values[inner] < look_ahead]:
-                if (i, *key) not in into:
-                    into.add((i, *key))
-                    missing |= values[i] < -1e-6
+                if (int(i), *key) not in into:
+                    into.add((int(i), *key))
+                    # With margins that give way, a missing row may break by as much as they do.
+                    missing |= bool(values[i] < SAG - clearance)
 
         for robot in (0, 1):
             x, y = poses[:, robot, 0], poses[:, robot, 1]
@@ -59,16 +63,16 @@ class Rows:
         (lx, ly), (rx, ry) = poses[:, 0, :2].T, poses[:, 1, :2].T
         for k, piece in enumerate(scene.pieces):
             for corner, place in enumerate(piece.vertices):
-                gap = far.corner_to_line(ops, lx, ly, rx, ry, place) - scene.planner["clearance"] - piece.radius
+                gap = far.corner_to_line(ops, lx, ly, rx, ry, place) - clearance - piece.radius
                 near(self.corners, gap, k, corner)
-        sides = {(crossing(poses, o[:2]), k) for k, o in enumerate(scene.objects)}
-        if self.sides and self.sides != sides:
-            # Pinned to another waypoint: matters only where the old place bends the result, told by `solve`.
-            self.moved = True
-        else:
-            self.moved = False
-        self.sides = sides
         return missing
+
+    def pin(self, scene, poses):
+        """Pins each object to the waypoint at which the line passes over it; true when that changed."""
+        sides = {(crossing(poses, o[:2]), k) for k, o in enumerate(scene.objects)}
+        changed = sides != self.sides
+        self.sides = sides
+        return changed
 
 
 def crossing(poses, place):
@@ -206,16 +210,16 @@ def build(scene, poses, rows, net_length, length_start, formulation, elastic):
     ops = far.Symbols
     for robot, (x, y, _) in enumerate(full):
         for k, (px, py, radius) in enumerate(scene.objects):
-            at = sorted(int(i) for i, r, o in rows.objects if (r, o) == (robot, k))
+            at = sorted(i for i, r, o in rows.objects if (r, o) == (robot, k))
             if at:
                 keep("object", far.to_point(ops, x[at], y[at], px, py), scene.radius + radius + p["clearance"])
         for k, piece in enumerate(scene.pieces):
-            at = sorted(int(i) for i, r, o in rows.pieces if (r, o) == (robot, k))
+            at = sorted(i for i, r, o in rows.pieces if (r, o) == (robot, k))
             if at:
                 keep("obstacle", far.to_piece(ops, x[at], y[at], piece), scene.radius + p["clearance"])
     for k, piece in enumerate(scene.pieces):
         for corner, place in enumerate(piece.vertices):
-            at = sorted(int(i) for i, o, c in rows.corners if (o, c) == (k, corner))
+            at = sorted(i for i, o, c in rows.corners if (o, c) == (k, corner))
             if at:
                 gap = far.corner_to_line(ops, lx[at], ly[at], rx[at], ry[at], place)
                 keep("net", gap, p["clearance"] + piece.radius)
@@ -227,15 +231,23 @@ def build(scene, poses, rows, net_length, length_start, formulation, elastic):
     return nlp, full, d_max
 
 
-def solve(scene, start, net_length, formulation="slip", elastic=False, options=None):
-    """Solves from (left, right) poses (n, 2, 3). Seconds are IPOPT's own: its callbacks and linear algebra, no set-up."""
-    poses = fixed_ends(scene, start)
-    rows = Rows(scene, poses)
+def solve(scene, start, net_length, formulation="slip", elastic=False, options=None, repeats=1):
+    """Results of one or more solves from (left, right) poses (n, 2, 3), one a round.
+
+    IPOPT's rows are fixed while it runs. A result that breaks a row that was not among them is solved again from the same
+    start with all that it came near to and a wider look; one that an object's row bends at a waypoint where the line between
+    the robots no longer passes goes on from where it ended. `seconds` are summed over the rounds and are the processor's for
+    IPOPT alone, its callbacks and linear algebra, no set-up: the least of `repeats` identical solves, unless they are long.
+    """
+    first = poses = fixed_ends(scene, start)
+    rows = Rows()
+    rows.add(scene, poses, LOOK_AHEAD)
+    rows.pin(scene, poses)
     length = first_net_length(poses, scene.planner) if net_length is None else net_length
-    ipopt = {"tol": 1e-6, "acceptable_tol": 1e-6, "constr_viol_tol": 1e-7, "max_iter": 600, "max_wall_time": 90.0,
+    ipopt = {"tol": 1e-6, "acceptable_tol": 1e-6, "constr_viol_tol": 1e-7, "max_iter": 600, "max_cpu_time": 60.0,
              "linear_solver": "mumps", "print_level": 0, "sb": "yes"}  # fmt: skip
     ipopt.update(options or {})
-    result = {"seconds": 0.0, "evaluation_seconds": 0.0, "iterations": 0, "build_seconds": 0.0, "rounds": 0}
+    results, seconds, evaluation, iterations = [], 0.0, 0.0, 0
     for _ in range(ROUNDS):
         begin = time.perf_counter()
         nlp, full, d_max = build(scene, poses, rows, net_length, length, formulation, elastic)
@@ -243,29 +255,40 @@ def solve(scene, start, net_length, formulation="slip", elastic=False, options=N
         program = {"x": w, "f": nlp.f, "g": ca.vertcat(*nlp.g)}
         solver = ca.nlpsol("solver", "ipopt", program, {"ipopt": ipopt, "print_time": False})
         read = ca.Function("read", [w], [ca.horzcat(*full[0], *full[1]), d_max])
-        result["build_seconds"] += time.perf_counter() - begin
-        begin = time.perf_counter()
-        out = solver(x0=np.concatenate(nlp.w0), lbx=np.concatenate(nlp.lw), ubx=np.concatenate(nlp.uw),
-                     lbg=np.concatenate(nlp.lg), ubg=np.concatenate(nlp.ug))  # fmt: skip
-        result["seconds"] += time.perf_counter() - begin
+        set_up = time.perf_counter() - begin
+        given = {"x0": nlp.w0, "lbx": nlp.lw, "ubx": nlp.uw, "lbg": nlp.lg, "ubg": nlp.ug}
+        given = {name: np.concatenate(parts) for name, parts in given.items()}
+        spent = math.inf
+        for _ in range(repeats):
+            begin = time.process_time()
+            out = solver(**given)
+            spent = min(spent, time.process_time() - begin)
+            if spent > LONG:
+                break
+        seconds += spent
         stats = solver.stats()
-        result["evaluation_seconds"] += sum(v for k, v in stats.items() if k.startswith("t_wall_nlp_"))
-        result["iterations"] += stats["iter_count"]
-        result["rounds"] += 1
-        result["status"] = stats["return_status"]
-        flat, length = read(out["x"])
-        poses, length = np.array(flat).reshape(-1, 2, 3), float(length)
+        evaluation += sum(v for k, v in stats.items() if k.startswith("t_wall_nlp_"))
+        iterations += stats["iter_count"]
+        flat, found = read(out["x"])
+        poses, length = np.array(flat).reshape(-1, 2, 3), float(found)
+        results.append({
+            "formulation": formulation, "elastic": elastic, "options": options or {}, "round": len(results) + 1,
+            "status": stats["return_status"], "converged": bool(stats["success"]), "seconds": seconds,
+            "evaluation_seconds": evaluation, "set_up_seconds": set_up, "iterations": iterations,
+            "variables": int(w.numel()), "constraints": int(sum(len(b) for b in nlp.lg)), "net_length": length,
+            "cost": float(cost(scene.planner, poses[:, 0], poses[:, 1], length)[0]),
+            "left": poses[:, 0].tolist(), "right": poses[:, 1].tolist(),
+        })  # fmt: skip
         if not stats["success"]:
             break
-        # A side row that bends the result at a waypoint where the line no longer passes is a wrong row.
-        sides = np.array(out["lam_g"]).ravel()[-2 * len(rows.sides) :] if rows.sides else np.zeros(1)
-        missing = rows.add(scene, poses)
-        if not missing and not (rows.moved and np.abs(sides).max() > 1e-2):
+        bent = rows.sides and np.abs(np.array(out["lam_g"]).ravel()[-2 * len(rows.sides) :]).max() > 1e-2
+        if rows.add(scene, poses, LOOK_AHEAD):
+            poses = first
+            rows.add(scene, poses, WIDE_LOOK_AHEAD)
+            length = first_net_length(poses, scene.planner) if net_length is None else net_length
+        elif not (bent and rows.pin(scene, poses)):
             break
-    result.update(variables=int(w.numel()), constraints=int(sum(len(b) for b in nlp.lg)), formulation=formulation,
-                  elastic=elastic, net_length=length, left=poses[:, 0].tolist(), right=poses[:, 1].tolist(),
-                  cost=cost(scene.planner, poses[:, 0], poses[:, 1], length)[0])  # fmt: skip
-    return result
+    return results
 
 
 def start_of(plan):
@@ -275,11 +298,20 @@ def start_of(plan):
 
 def write_plan(path, plan, result):
     """Writes what `pairtrawl check` needs, with the overrides of the plan that the start came from."""
-    keys = ("net_length", "left", "right", "cost")
-    fields = {k: result[k] for k in keys if k != "cost"}
+    fields = {k: result[k] for k in ("net_length", "left", "right")}
     with open(path, "w") as file:
         json.dump({"format": "pairtrawl-plan/1", **fields, "step_time": plan["step_time"],
                    "scene": plan["scene"], "overrides": plan["overrides"]}, file)  # fmt: skip
+
+
+def number(text):
+    """A number where the text is one."""
+    for kind in (int, float):
+        try:
+            return kind(text)
+        except ValueError:
+            pass
+    return text
 
 
 def main():
@@ -294,10 +326,10 @@ def main():
     args = parser.parse_args()
     with open(args.plan) as file:
         plan = json.load(file)
-    options = dict(o.split("=") for o in args.option)
+    options = {name: number(value) for name, value in (o.split("=") for o in args.option)}
     length = None if args.free_length else plan["net_length"]
     scene = read_scene(args.scene)
-    result = solve(scene, start_of(plan), length, args.formulation, args.elastic, options)
+    *_, result = solve(scene, start_of(plan), length, args.formulation, args.elastic, options)
     write_plan(args.output, plan, result)
     print({k: v for k, v in result.items() if k not in ("left", "right")})
 
