@@ -43,7 +43,7 @@ impl Observer for Progress {
             Stage::Order => "ordering the circles",
             Stage::Centerline => "searching the centerline",
             Stage::Baseline => "laying out the baseline pair",
-            Stage::Optimise => "optimizing both trajectories",
+            Stage::Optimize => "optimizing both trajectories",
             Stage::Certify => "proving the plan",
             Stage::Rehearse => "rehearsing in physics",
         };

@@ -83,7 +83,7 @@ const ATTEMPTS: usize = 200;
 
 /// Makes a scene with `waypoints` waypoints in its witness (about 4 cm of driving each).
 ///
-/// `difficulty` 1: margins of half a metre, gentle bends, few objects; 10: obstacles within 2 cm of the robots' circles,
+/// `difficulty` 1: margins of half a meter, gentle bends, few objects; 10: obstacles within 2 cm of the robots' circles,
 /// objects within 5 mm of the miss distance, S-bends, gaps below 1.1 m. In between everything scales geometrically.
 ///
 /// # Errors
@@ -192,15 +192,15 @@ fn area(witness: &PairTrajectory) -> Area {
     };
     let min = Point::new(bound(f64::min, |p| p.x), bound(f64::min, |p| p.y));
     let max = Point::new(bound(f64::max, |p| p.x), bound(f64::max, |p| p.y));
-    let decimetres = |v: f64, round: fn(f64) -> f64| round(v * 10.0) / 10.0;
+    let decimeters = |v: f64, round: fn(f64) -> f64| round(v * 10.0) / 10.0;
     Area {
         min: Point::new(
-            decimetres(min.x - ROOM, f64::floor),
-            decimetres(min.y - ROOM, f64::floor),
+            decimeters(min.x - ROOM, f64::floor),
+            decimeters(min.y - ROOM, f64::floor),
         ),
         max: Point::new(
-            decimetres(max.x + ROOM, f64::ceil),
-            decimetres(max.y + ROOM, f64::ceil),
+            decimeters(max.x + ROOM, f64::ceil),
+            decimeters(max.y + ROOM, f64::ceil),
         ),
         resolution: 0.05,
     }

@@ -7,7 +7,7 @@ pub enum Convex {
     Polygon(Vec<Point>),
     /// A disc.
     Circle {
-        /// Its centre.
+        /// Its center.
         center: Point,
         /// Its radius, m.
         radius: f64,

@@ -1,7 +1,7 @@
 use crate::Point;
 use std::f64::consts::PI;
 
-/// Position of a robot's reference point (axle centre) and its heading.
+/// Position of a robot's reference point (axle center) and its heading.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct Pose {
     /// Map frame x, m.
@@ -33,7 +33,7 @@ impl Pose {
         Point::unit(self.heading)
     }
 
-    /// The point where the net is tied: `hitch` metres behind the axle centre.
+    /// The point where the net is tied: `hitch` meters behind the axle center.
     pub fn hitch_point(self, hitch: f64) -> Point {
         self.position() - self.forward() * hitch
     }

@@ -5,9 +5,9 @@ pub struct PhysicsParameters {
     pub gravity: f64,
     /// Robot mass m, kg.
     pub robot_mass: f64,
-    /// Robot inertia about the vertical axis through the centre of mass, kg m^2.
+    /// Robot inertia about the vertical axis through the center of mass, kg m^2.
     pub robot_inertia: f64,
-    /// d: the centre of mass lies this far ahead of the axle, m.
+    /// d: the center of mass lies this far ahead of the axle, m.
     pub center_of_mass: f64,
     /// r: wheel radius, m.
     pub wheel_radius: f64,
@@ -15,7 +15,7 @@ pub struct PhysicsParameters {
     pub max_torque: f64,
     /// Friction of the tyres, which bounds traction.
     pub wheel_friction: f64,
-    /// Net mass per metre, kg/m.
+    /// Net mass per meter, kg/m.
     pub net_mass: f64,
     /// Length of a net link, m; the net has round(length / link) links.
     pub net_link: f64,

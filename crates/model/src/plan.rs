@@ -14,7 +14,7 @@ pub struct Plan {
     pub overrides: Overrides,
     /// The pair's centerline.
     pub centerline: Vec<Pose>,
-    /// The baseline pair that the optimisation started from.
+    /// The baseline pair that the optimization started from.
     pub baseline: PairTrajectory,
     /// Merged object circles, as used for order, centerline and baseline.
     pub circles: Vec<Circle>,
@@ -26,7 +26,7 @@ pub struct Plan {
     pub certificate: Certificate,
     /// What the physics said.
     pub rehearsal: Rehearsal,
-    /// What the optimiser said.
+    /// What the optimizer said.
     pub solver: SolverReport,
     /// Warnings for people: margins that shrank, thresholds, fallbacks.
     pub warnings: Vec<String>,
@@ -51,7 +51,7 @@ pub struct Overrides {
 /// A circle around one object or several close ones.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Circle {
-    /// Its centre, m.
+    /// Its center, m.
     pub center: Point,
     /// r_o: its radius, margin included, m.
     pub radius: f64,
@@ -78,7 +78,7 @@ pub enum Rehearsal {
     Skipped,
 }
 
-/// How the optimisation ended.
+/// How the optimization ended.
 #[derive(Clone, Debug, PartialEq)]
 pub struct SolverReport {
     /// Its status.
@@ -91,7 +91,7 @@ pub struct SolverReport {
     pub seconds: f64,
 }
 
-/// How the optimisation ended.
+/// How the optimization ended.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum SolverStatus {
     /// Optimality residuals are below the tolerance.

@@ -6,7 +6,7 @@ use pairtrawl_geometry::{Point, Pose};
 pub struct Scene {
     /// A name for people.
     pub name: String,
-    /// Bounds of robot centres and objects. Not an obstacle: the net may cross it.
+    /// Bounds of robot centers and objects. Not an obstacle: the net may cross it.
     pub area: Area,
     /// Obstacles given as shapes.
     pub obstacles: Vec<Obstacle>,
@@ -53,7 +53,7 @@ pub enum Obstacle {
     Polygon(Vec<Point>),
     /// Disc.
     Circle {
-        /// Its centre, m.
+        /// Its center, m.
         center: Point,
         /// Its radius, m.
         radius: f64,
@@ -105,7 +105,7 @@ impl OccupancyMap {
 /// Something to be gathered.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Object {
-    /// Its centre, m.
+    /// Its center, m.
     pub position: Point,
     /// Its footprint.
     pub footprint: Footprint,
@@ -123,7 +123,7 @@ pub enum Footprint {
 }
 
 impl Object {
-    /// Radius of the smallest circle around the centre that contains the footprint, m.
+    /// Radius of the smallest circle around the center that contains the footprint, m.
     pub fn footprint_radius(&self) -> f64 {
         match self.footprint {
             Footprint::Box(w, d) => 0.5 * w.hypot(d),
@@ -142,12 +142,12 @@ pub struct PairPose {
 }
 
 impl PairPose {
-    /// Distance between the axle centres, m.
+    /// Distance between the axle centers, m.
     pub fn separation(&self) -> f64 {
         self.left.position().distance(self.right.position())
     }
 
-    /// The point half way between the axle centres.
+    /// The point half way between the axle centers.
     pub fn midpoint(&self) -> Point {
         self.left.position().lerp(self.right.position(), 0.5)
     }
@@ -161,9 +161,9 @@ impl PairPose {
 /// The robot. The default is the TurtleBot3 Waffle Pi.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Robot {
-    /// Radius of the circle around the axle centre that contains the robot, m.
+    /// Radius of the circle around the axle center that contains the robot, m.
     pub radius: f64,
-    /// The net is tied this far behind the axle centre, m.
+    /// The net is tied this far behind the axle center, m.
     pub hitch: f64,
     /// Greatest speed of a wheel over the floor, m/s.
     pub v_max: f64,

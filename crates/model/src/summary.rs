@@ -44,7 +44,7 @@ pub struct Summary {
     pub claims: Vec<ClaimSummary>,
     /// What the physics said.
     pub rehearsal: Rehearsal,
-    /// What the optimiser said.
+    /// What the optimizer said.
     pub solver: SolverReport,
     /// Time of each stage of planning, in order; empty when it was not measured.
     pub stages: Vec<StageTime>,

@@ -12,14 +12,14 @@ use pairtrawl_route::{RouteError, baseline};
 use pairtrawl_simulation::rehearse;
 use pairtrawl_trajopt::{
     FirstLength, Problem, Residuals, Settings, ShrunkMargin, Solution, alternate, evaluate,
-    optimise_from, optimise_watched,
+    optimize_from, optimize_watched,
 };
 use pairtrawl_world::World;
 
 /// Everything that stays the same while attempts at a plan are made.
 pub(crate) struct Course<'a> {
     pub scene: &'a Scene,
-    /// d_max, m; `None`: the optimiser chooses it.
+    /// d_max, m; `None`: the optimizer chooses it.
     pub net_length: Option<f64>,
     pub world: &'a World,
     pub order: &'a [usize],
@@ -104,7 +104,7 @@ impl Course<'_> {
         Ok((best, Some(record)))
     }
 
-    /// An attempt whose every claim holds: optimises, certifies, tightens where a claim fails, and tries again within the
+    /// An attempt whose every claim holds: optimizes, certifies, tightens where a claim fails, and tries again within the
     /// budget of rounds.
     pub fn certified_attempt(
         &self,
@@ -142,8 +142,8 @@ impl Course<'_> {
         let baseline = run.stage(Stage::Baseline, || self.baseline(origin, tightening))??;
         let mut problem = Problem::new(scene, self.net_length, &world.pieces);
         tightening.apply(&mut problem);
-        let solution = run.watched_stage(Stage::Optimise, |may_go_on| {
-            self.optimise(&problem, &baseline, origin, &mut |_, _| may_go_on())
+        let solution = run.watched_stage(Stage::Optimize, |may_go_on| {
+            self.optimize(&problem, &baseline, origin, &mut |_, _| may_go_on())
         })?;
 
         let certificate = run.stage(Stage::Certify, || {
@@ -163,7 +163,7 @@ impl Course<'_> {
                     .dual
                     .max(solution.residuals.primal)
                     .max(solution.residuals.complementarity),
-                seconds: run.seconds(Stage::Optimise),
+                seconds: run.seconds(Stage::Optimize),
             },
             net_length: solution.net_length,
             trajectory: solution.trajectory,
@@ -174,7 +174,7 @@ impl Course<'_> {
     }
 
     /// The optimization by the method that was asked for.
-    fn optimise(
+    fn optimize(
         &self,
         problem: &Problem,
         start: &PairTrajectory,
@@ -184,10 +184,10 @@ impl Course<'_> {
         let settings = origin.settings();
         let first_length = match (self.options.method, origin) {
             (Method::Joint, Origin::Centerline(_)) => {
-                return optimise_watched(problem, start, &settings, go_on);
+                return optimize_watched(problem, start, &settings, go_on);
             }
             (Method::Joint, Origin::Before(_, net_length)) => {
-                return optimise_from(problem, start, *net_length, &settings, go_on);
+                return optimize_from(problem, start, *net_length, &settings, go_on);
             }
             (Method::Alternating, _) => FirstLength::Printed,
             (Method::AlternatingBounded, _) => FirstLength::Bounded,

@@ -98,7 +98,7 @@ pub fn length_curve(
         Ok((attempt.net_length, cost))
     };
     let wanted: Vec<Option<f64>> = range.lengths().map(Some).chain([None]).collect();
-    let mut solved: Vec<_> = run.stage(Stage::Optimise, || {
+    let mut solved: Vec<_> = run.stage(Stage::Optimize, || {
         wanted.par_iter().map(|length| solve(*length)).collect()
     })?;
     let free = solved.pop().and_then(Result::ok);

@@ -12,7 +12,7 @@ pub enum Stage {
     /// The baseline pair.
     Baseline,
     /// Trajectories and net length.
-    Optimise,
+    Optimize,
     /// The certificate.
     Certify,
     /// The rehearsal.
@@ -28,7 +28,7 @@ impl Stage {
             Self::Order => "order",
             Self::Centerline => "centerline",
             Self::Baseline => "baseline",
-            Self::Optimise => "optimise",
+            Self::Optimize => "optimize",
             Self::Certify => "certify",
             Self::Rehearse => "rehearse",
         }

@@ -22,7 +22,7 @@ pub struct PlanOptions {
     pub time_limit: Option<Duration>,
     /// Whether the plan is rehearsed in physics.
     pub rehearsal: RehearsalMode,
-    /// Greatest number of optimisations: the first and those after a failed claim. At least 1.
+    /// Greatest number of optimizations: the first and those after a failed claim. At least 1.
     pub rounds: usize,
     /// Greatest number of plans after the first that are tried when a rehearsal fails.
     pub rehearsal_rounds: usize,

@@ -1,4 +1,4 @@
-//! Planning, on one page of named steps: scene -> world -> order -> centerline -> baseline -> optimise -> certify ->
+//! Planning, on one page of named steps: scene -> world -> order -> centerline -> baseline -> optimize -> certify ->
 //! (rehearse) -> plan.
 
 use crate::attempt::{Course, Origin};

@@ -3,7 +3,7 @@ use crate::starts::starts;
 use crate::{LengthRange, Observer, PlanError, PlanOptions, Stage};
 use pairtrawl_model::{Cost, PairTrajectory, Scene};
 use pairtrawl_route::baseline;
-use pairtrawl_trajopt::{Problem, SeparationRule, Settings, Solution, evaluate, optimise};
+use pairtrawl_trajopt::{Problem, SeparationRule, Settings, Solution, evaluate, optimize};
 use pairtrawl_world::World;
 use rayon::prelude::*;
 
@@ -43,15 +43,15 @@ pub fn separation_study(
     let settings = Settings::default();
 
     let lengths: Vec<f64> = range.lengths().collect();
-    run.stage(Stage::Optimise, || {
+    run.stage(Stage::Optimize, || {
         let mut free = problem(range.from);
         free.separation = SeparationRule::Free;
-        let solution = optimise(&free, &baseline, &settings);
+        let solution = optimize(&free, &baseline, &settings);
         let rigid = lengths
             .par_iter()
             .map(|&length| {
                 let problem = problem(length).with_rigid_separation(baseline.len(), length);
-                let solution = optimise(&problem, &baseline, &settings);
+                let solution = optimize(&problem, &baseline, &settings);
                 let cost = evaluate(scene, &solution.trajectory, length);
                 (length, refused(&solution).map_or(Ok(cost), Err))
             })

@@ -66,7 +66,7 @@ fn stages_run_in_order_and_are_timed() {
         Stage::Order,
         Stage::Centerline,
         Stage::Baseline,
-        Stage::Optimise,
+        Stage::Optimize,
         Stage::Certify,
         Stage::Rehearse,
     ];

@@ -79,7 +79,7 @@ pub(crate) fn terms(cost: &Cost) -> [(&'static str, &'static str, f64); 4] {
     ]
 }
 
-/// How the optimiser ended.
+/// How the optimizer ended.
 pub(crate) fn status(status: SolverStatus) -> &'static str {
     match status {
         SolverStatus::Converged => "converged",

@@ -145,8 +145,8 @@ fn a_lone_robot_follows_its_equations() {
         }
         let pose = robot.state.pose;
         let off = pose.position().distance(Point::new(exact[0], exact[1]));
-        let travelled = exact[0].hypot(exact[1]);
-        assert!(travelled > 0.3 && exact[2].abs() > 0.5, "{exact:?}");
+        let traveled = exact[0].hypot(exact[1]);
+        assert!(traveled > 0.3 && exact[2].abs() > 0.5, "{exact:?}");
         assert!(
             off < 5e-3,
             "{off} m off after 10 s at {time_step} s: {pose:?} against {exact:?}"

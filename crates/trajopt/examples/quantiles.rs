@@ -6,7 +6,7 @@
 use pairtrawl_generate::{Kind, generate};
 use pairtrawl_model::{PairTrajectory, SolverStatus};
 use pairtrawl_route::{baseline, hybrid_a_star, visiting_order};
-use pairtrawl_trajopt::{Problem, Settings, Solution, optimise, optimise_from};
+use pairtrawl_trajopt::{Problem, Settings, Solution, optimize, optimize_from};
 use pairtrawl_world::World;
 
 /// Milliseconds that this thread has spent on a processor.
@@ -95,7 +95,7 @@ fn main() {
             };
             let problem = Problem::new(&scene, None, &world.pieces);
             let (outcome, solution) =
-                timed(&scene, || optimise(&problem, &start, &Settings::default()));
+                timed(&scene, || optimize(&problem, &start, &Settings::default()));
             if !outcome.certified {
                 println!(
                     "  difficulty {difficulty} seed {seed}: {:?} {:?}",
@@ -110,7 +110,7 @@ fn main() {
             }
             let problem = Problem::new(&changed, None, &world.pieces);
             let again = || {
-                optimise_from(
+                optimize_from(
                     &problem,
                     &solution.trajectory,
                     solution.net_length,

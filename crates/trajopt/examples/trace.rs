@@ -1,7 +1,7 @@
 //! Solves generated scenes from their own witness and prints the trace: `trace DIFFICULTY SEED N [auto]`.
 
 use pairtrawl_generate::{Kind, generate};
-use pairtrawl_trajopt::{Problem, Settings, evaluate, optimise_watched};
+use pairtrawl_trajopt::{Problem, Settings, evaluate, optimize_watched};
 use pairtrawl_world::World;
 
 fn main() {
@@ -26,7 +26,7 @@ fn main() {
     let world = World::new(scene, net_length).expect("a world");
     let problem = Problem::new(scene, net_length, &world.pieces);
     let clock = std::time::Instant::now();
-    let solution = optimise_watched(
+    let solution = optimize_watched(
         &problem,
         &generated.witness,
         &Settings::default(),

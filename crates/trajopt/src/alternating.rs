@@ -1,8 +1,8 @@
-//! The paper's Algorithm 1: robots are optimised in turn, the other held where it is, the net length with each.
+//! The paper's Algorithm 1: robots are optimized in turn, the other held where it is, the net length with each.
 
 use crate::cost::evaluate;
 use crate::interior_point::{Residuals, Settings};
-use crate::optimise::{Solution, first_net_length, optimise_from};
+use crate::optimize::{Solution, first_net_length, optimize_from};
 use crate::problem::Problem;
 use pairtrawl_model::{PairTrajectory, Scene, SolverStatus};
 
@@ -48,7 +48,7 @@ pub fn alternate(
     let mut last = None;
     for round in 0..scene.planner.alternations.max(1) {
         problem.frozen = Some(1 - round % 2);
-        let mut solution = optimise_from(&problem, &pair, net_length, settings, go_on);
+        let mut solution = optimize_from(&problem, &pair, net_length, settings, go_on);
         iterations += solution.iterations;
         solution.iterations = iterations;
         pair.clone_from(&solution.trajectory);
@@ -62,7 +62,7 @@ pub fn alternate(
         }
     }
     let solution =
-        last.unwrap_or_else(|| optimise_from(&problem, &pair, net_length, settings, go_on));
+        last.unwrap_or_else(|| optimize_from(&problem, &pair, net_length, settings, go_on));
     Alternation {
         solution,
         costs,

@@ -1,4 +1,4 @@
-//! Joint trajectory optimisation of a robot pair and its net length.
+//! Joint trajectory optimization of a robot pair and its net length.
 //!
 //! With poses `p_i = (x, y, phi)` of both robots at `N` waypoints, ends fixed, and the net length `d_max`:
 //!
@@ -30,7 +30,7 @@ mod linear;
 mod look_up;
 mod merit;
 mod newton;
-mod optimise;
+mod optimize;
 mod pieces;
 mod problem;
 mod row;
@@ -40,7 +40,7 @@ mod term;
 pub use alternating::{Alternation, FirstLength, alternate};
 pub use cost::evaluate;
 pub use interior_point::{Residuals, Settings};
-pub use optimise::{ShrunkMargin, Solution, Violation, optimise, optimise_from, optimise_watched};
+pub use optimize::{ShrunkMargin, Solution, Violation, optimize, optimize_from, optimize_watched};
 pub use problem::{Problem, Reserve, SeparationRule};
 
 #[cfg(test)]

@@ -4,7 +4,7 @@ use crate::pieces::PieceIndex;
 use pairtrawl_geometry::{Convex, Point};
 use pairtrawl_model::{Area, PairPose, PlannerParameters, Robot, Scene};
 
-/// What is optimised: costs, constraints, fixed ends. Immutable while solving.
+/// What is optimized: costs, constraints, fixed ends. Immutable while solving.
 #[derive(Clone, Debug)]
 pub struct Problem {
     /// First poses.

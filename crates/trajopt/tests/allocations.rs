@@ -1,7 +1,7 @@
 //! The iteration loop does not allocate: only looking up again what is near does.
 
 use pairtrawl_generate::{Kind, generate};
-use pairtrawl_trajopt::{Problem, Settings, optimise};
+use pairtrawl_trajopt::{Problem, Settings, optimize};
 use pairtrawl_world::World;
 
 /// Allocations of a solve of at most so many iterations, and how many it took.
@@ -16,7 +16,7 @@ fn allocations(
     };
     let mut iterations = 0;
     let info = allocation_counter::measure(|| {
-        iterations = optimise(problem, start, &settings).iterations;
+        iterations = optimize(problem, start, &settings).iterations;
     });
     (info.count_total, iterations)
 }

@@ -6,7 +6,7 @@ use pairtrawl_geometry::{Point, Pose};
 use pairtrawl_model::{
     Area, Footprint, Object, Obstacle, PairPose, PairTrajectory, Scene, SolverStatus,
 };
-use pairtrawl_trajopt::{Problem, Settings, Solution, evaluate, optimise, optimise_watched};
+use pairtrawl_trajopt::{Problem, Settings, Solution, evaluate, optimize, optimize_watched};
 use pairtrawl_world::World;
 
 fn problem(scene: &Scene, net_length: Option<f64>) -> Problem {
@@ -20,7 +20,7 @@ fn witness(difficulty: u8, seed: u64, waypoints: usize) -> Generated {
 
 fn solve(made: &Generated, net_length: Option<f64>) -> Solution {
     let problem = problem(&made.scene, net_length);
-    optimise(&problem, &made.witness, &Settings::default())
+    optimize(&problem, &made.witness, &Settings::default())
 }
 
 #[test]
@@ -108,7 +108,7 @@ fn a_gap_too_narrow_for_both_robots_is_locally_infeasible() {
             max_iterations: 600,
             ..Settings::default()
         };
-        let solution = optimise(&problem, &start, &settings);
+        let solution = optimize(&problem, &start, &settings);
         assert_eq!(solution.status, SolverStatus::LocallyInfeasible);
         assert_named(&scene, &solution, &["separation"]);
     }
@@ -123,7 +123,7 @@ fn an_object_without_room_beside_it_is_named() {
         mass: 0.02,
     }];
     let problem = problem(&scene, Some(1.4));
-    let solution = optimise(&problem, &start, &Settings::default());
+    let solution = optimize(&problem, &start, &Settings::default());
     assert_eq!(solution.status, SolverStatus::LocallyInfeasible);
     assert_named(&scene, &solution, &["robots_miss_objects"]);
     let object = solution
@@ -138,7 +138,7 @@ fn a_wall_in_the_way_is_never_called_solved() {
     // 0.3 m: no single robot fits. Inside a wall the distance has kinks on which the solver need not settle.
     let (scene, start) = gap_scene(0.15);
     let problem = problem(&scene, Some(1.3));
-    let solution = optimise(&problem, &start, &Settings::default());
+    let solution = optimize(&problem, &start, &Settings::default());
     assert!(
         [
             SolverStatus::LocallyInfeasible,
@@ -157,7 +157,7 @@ fn a_wall_in_the_way_is_never_called_solved() {
 fn the_same_gap_made_wider_is_passed() {
     let (scene, start) = gap_scene(0.75);
     let problem = problem(&scene, Some(1.3));
-    let solution = optimise(&problem, &start, &Settings::default());
+    let solution = optimize(&problem, &start, &Settings::default());
     assert_eq!(solution.status, SolverStatus::Converged);
     let certificate = certify(&scene, 1.3, &solution.trajectory);
     assert!(certificate.is_valid(), "{certificate:?}");
@@ -167,7 +167,7 @@ fn the_same_gap_made_wider_is_passed() {
 fn a_net_that_is_too_short_for_the_ends_is_not_called_solved() {
     let (scene, start) = gap_scene(0.75);
     let problem = problem(&scene, Some(0.7));
-    let solution = optimise(&problem, &start, &Settings::default());
+    let solution = optimize(&problem, &start, &Settings::default());
     assert_ne!(solution.status, SolverStatus::Converged);
     let certificate = certify(&scene, 0.7, &solution.trajectory);
     assert!(!certificate.is_valid());
@@ -181,7 +181,7 @@ fn budgets_are_kept_and_said() {
         max_iterations: 3,
         ..Settings::default()
     };
-    let solution = optimise(&problem, &made.witness, &settings);
+    let solution = optimize(&problem, &made.witness, &settings);
     assert_eq!(solution.status, SolverStatus::IterationLimit);
     assert_eq!(solution.iterations, 3);
     let mut asked = 0;
@@ -190,7 +190,7 @@ fn budgets_are_kept_and_said() {
         asked += 1;
         iteration < 5
     };
-    let solution = optimise_watched(&problem, &made.witness, &Settings::default(), &mut go_on);
+    let solution = optimize_watched(&problem, &made.witness, &Settings::default(), &mut go_on);
     assert_eq!(solution.status, SolverStatus::TimeLimit);
     assert_eq!((solution.iterations, asked), (5, 6));
 }
@@ -224,7 +224,7 @@ fn fixing_the_net_at_its_best_length_changes_nothing() {
                 relative_decrease: 5e-6,
                 ..Settings::default()
             };
-            optimise(&problem(&made.scene, net_length), start, &settings)
+            optimize(&problem(&made.scene, net_length), start, &settings)
         };
         let free = solve(&made.witness, None);
         let fixed = solve(&free.trajectory, Some(free.net_length));
@@ -254,7 +254,7 @@ fn a_frozen_robot_stays_where_it_is_while_the_other_gains() {
     for frozen in [0, 1] {
         let mut problem = problem(&made.scene, Some(made.net_length));
         problem.frozen = Some(frozen);
-        let solution = optimise(&problem, &made.witness, &Settings::default());
+        let solution = optimize(&problem, &made.witness, &Settings::default());
         let robots = |t: &PairTrajectory| [t.left.clone(), t.right.clone()];
         let (before, after) = (robots(&made.witness), robots(&solution.trajectory));
         let farthest = |robot: usize| {
@@ -283,7 +283,7 @@ fn a_disc_between_the_robots_is_not_overlooked() {
         radius: 0.05,
     }];
     let problem = problem(&scene, Some(1.3));
-    let solution = optimise(&problem, &start, &Settings::default());
+    let solution = optimize(&problem, &start, &Settings::default());
     let certificate = certify(&scene, solution.net_length, &solution.trajectory);
     if certificate.is_valid() {
         assert_eq!(solution.status, SolverStatus::Converged);

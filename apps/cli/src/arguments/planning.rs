@@ -4,7 +4,7 @@ use clap::{Args, ValueEnum};
 /// How to plan: the options that `plan` and `demo` share.
 #[derive(Clone, Debug, Args)]
 pub struct PlanningArguments {
-    /// Length of the net in metres instead of the scene's, or `auto`: the planner chooses it
+    /// Length of the net in meters instead of the scene's, or `auto`: the planner chooses it
     #[arg(long, value_name = "L|auto", value_parser = parse_net_length)]
     pub net_length: Option<pairtrawl::NetLength>,
 

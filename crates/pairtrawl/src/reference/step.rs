@@ -76,7 +76,7 @@ impl RollingStep {
                 return;
             }
             self.speed_bump += miss.cross(by_b) / determinant;
-            // A slip of a tenth of a millimetre on a short chord must not become a wild swing of the heading.
+            // A slip of a tenth of a millimeter on a short chord must not become a wild swing of the heading.
             let change = by_a.cross(miss) / determinant;
             self.heading_bump = (self.heading_bump + change).clamp(-2.0, 2.0);
         }

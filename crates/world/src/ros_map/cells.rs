@@ -2,8 +2,8 @@ use super::raster::{Pixel, pixels, read_image};
 use super::{MapMetadata, Mode, RosMapError};
 use pairtrawl_model::OccupancyMap;
 
-/// The grey that map_saver writes for unknown cells, of 255.
-const UNKNOWN_GREY: f64 = 205.0;
+/// The gray that map_saver writes for unknown cells, of 255.
+const UNKNOWN_GRAY: f64 = 205.0;
 
 /// What cells that are neither occupied nor free count as.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
@@ -99,9 +99,9 @@ fn is_blocked(metadata: &MapMetadata, value: Option<u8>, unknown: Unknown) -> bo
     occupied || (!free && unknown == Unknown::Occupied)
 }
 
-/// map_saver writes unknown cells as grey 205, occ 0.196: a free threshold above that makes them free.
+/// map_saver writes unknown cells as gray 205, occ 0.196: a free threshold above that makes them free.
 fn threshold_warning(metadata: &MapMetadata, pixels: &[Pixel]) -> Option<String> {
-    let unknown_shade = UNKNOWN_GREY / 255.0;
+    let unknown_shade = UNKNOWN_GRAY / 255.0;
     if metadata.mode == Mode::Raw || occ(metadata, unknown_shade) >= metadata.free_thresh {
         return None;
     }
@@ -111,7 +111,7 @@ fn threshold_warning(metadata: &MapMetadata, pixels: &[Pixel]) -> Option<String>
         .count();
     (count > 0).then(|| {
         format!(
-            "free_thresh {} makes {count} cells free that hold grey 205, which map_saver writes for unknown cells (occ 0.196): \
+            "free_thresh {} makes {count} cells free that hold gray 205, which map_saver writes for unknown cells (occ 0.196): \
              set free_thresh to 0.196 to keep them unknown",
             metadata.free_thresh
         )

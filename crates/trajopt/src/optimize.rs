@@ -5,7 +5,7 @@ use crate::problem::Problem;
 use pairtrawl_geometry::Point;
 use pairtrawl_model::{PairTrajectory, SolverStatus};
 
-/// What the optimiser returns. Whether the trajectories are a valid plan is for the certificate to say.
+/// What the optimizer returns. Whether the trajectories are a valid plan is for the certificate to say.
 #[derive(Clone, Debug)]
 pub struct Solution {
     /// Both trajectories; `step_time` is that of the start.
@@ -58,13 +58,13 @@ const ELASTIC_WEIGHT_INCREASE: f64 = 20.0;
 /// Violations of which this share is left at the next price are there to stay.
 const STUBBORN_SHARE: f64 = 0.8;
 
-/// Optimises from a start, until solved or out of iterations.
-pub fn optimise(problem: &Problem, start: &PairTrajectory, settings: &Settings) -> Solution {
-    optimise_watched(problem, start, settings, &mut |_, _| true)
+/// Optimizes from a start, until solved or out of iterations.
+pub fn optimize(problem: &Problem, start: &PairTrajectory, settings: &Settings) -> Solution {
+    optimize_watched(problem, start, settings, &mut |_, _| true)
 }
 
-/// As [`optimise`]; `go_on(iterations, residuals)` is asked before every iteration and may stop it (status `TimeLimit`).
-pub fn optimise_watched(
+/// As [`optimize`]; `go_on(iterations, residuals)` is asked before every iteration and may stop it (status `TimeLimit`).
+pub fn optimize_watched(
     problem: &Problem,
     start: &PairTrajectory,
     settings: &Settings,
@@ -73,11 +73,11 @@ pub fn optimise_watched(
     let net_length = problem
         .net_length
         .unwrap_or_else(|| first_net_length(problem, start));
-    optimise_from(problem, start, net_length, settings, go_on)
+    optimize_from(problem, start, net_length, settings, go_on)
 }
 
-/// As [`optimise_watched`], from a given net length when that is free.
-pub fn optimise_from(
+/// As [`optimize_watched`], from a given net length when that is free.
+pub fn optimize_from(
     problem: &Problem,
     start: &PairTrajectory,
     net_length: f64,
