@@ -8,6 +8,9 @@ pub struct Plan {
     pub net_length: f64,
     /// What the robots drive.
     pub trajectory: PairTrajectory,
+    /// When the controllers' reference passes each waypoint, s from the start: one time law for both robots, which never
+    /// outpaces `step_time` and starts, turns and stops smoothly. Empty when there is none.
+    pub time_law: Vec<f64>,
     /// Which scene it is for.
     pub scene: SceneReference,
     /// What was changed against the scene.

@@ -17,6 +17,7 @@ pub fn judge(scene: &Scene, reference: &SceneReference, file: &PlanFile) -> Plan
     };
     let (left, right) = file.baseline.clone().unwrap_or_default();
     Plan {
+        time_law: Vec::new(),
         net_length: file.net_length,
         cost: evaluate(scene, &trajectory, file.net_length),
         certificate: check(scene, reference, &candidate),

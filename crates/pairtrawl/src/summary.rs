@@ -156,6 +156,7 @@ mod tests {
             certificate: pairtrawl_certificate::certify(scene, 1.5, &trajectory),
             trajectory,
             scene: Default::default(),
+            time_law: Vec::new(),
             overrides: Default::default(),
             centerline: Vec::new(),
             baseline: Default::default(),

@@ -30,6 +30,7 @@ fn plan() -> Plan {
             name: "hall \"A\"".to_owned(),
             sha256: "00ff".to_owned(),
         },
+        time_law: Vec::new(),
         overrides: Overrides {
             net_length: Some(None),
         },

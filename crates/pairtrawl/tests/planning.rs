@@ -248,3 +248,23 @@ fn an_object_off_the_path_makes_it_plan_from_nothing() {
         again.warnings
     );
 }
+
+#[test]
+fn the_time_law_goes_with_the_plan() {
+    let made = planned(&scene("witness-9"), &quick());
+    let (law, trajectory) = (&made.plan.time_law, &made.plan.trajectory);
+    assert_eq!(law.len(), trajectory.len());
+    assert_eq!(law[0], 0.0);
+    for (i, times) in law.windows(2).enumerate() {
+        // Never faster than the plan, and never so slow that the pair hardly moves.
+        let step = times[1] - times[0];
+        assert!(
+            step >= trajectory.step_time - 1e-9,
+            "step {i} takes {step} s"
+        );
+        assert!(
+            step < 20.0 * trajectory.step_time,
+            "step {i} takes {step} s"
+        );
+    }
+}

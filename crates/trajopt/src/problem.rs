@@ -86,7 +86,7 @@ impl Problem {
                 net_clearance: scene.planner.clearance,
                 separation: 1e-3,
                 net_reach: 5e-4,
-                skew: 1e-3,
+                skew: 6e-3,
             },
             separation: SeparationRule::UShape,
             frozen: None,

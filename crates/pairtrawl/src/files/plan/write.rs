@@ -22,12 +22,13 @@ pub fn write_plan(path: &Path, plan: &Plan) -> Result<(), FileError> {
 /// Never for a plan that fits into memory; the JSON library wants it.
 pub fn plan_json(plan: &Plan) -> Result<String, serde_json::Error> {
     let mut text = String::from("{\n");
-    let fields: [(&str, String); 15] = [
+    let fields: [(&str, String); 16] = [
         ("format", json(&FORMAT)?),
         ("net_length", json(&plan.net_length)?),
         ("left", poses(&plan.trajectory.left)?),
         ("right", poses(&plan.trajectory.right)?),
         ("step_time", json(&plan.trajectory.step_time)?),
+        ("time_law", json(&plan.time_law)?),
         (
             "scene",
             json(&Reference {
