@@ -64,7 +64,7 @@ def valid(scene, plan):
 
 
 def ipopt_results(file, scene, plan, free, directory):
-    """Every way from the same start; with margins that may give way only where none is valid."""
+    """Every way from the same start; with margins that may give way only where none converges to a valid one."""
     results = []
     for elastic in (False, True):
         for formulation, mu in itertools.product(("slip", "steps"), BARRIERS):
@@ -73,14 +73,17 @@ def ipopt_results(file, scene, plan, free, directory):
                 write_plan(directory / "ipopt.json", plan, result)
                 result["valid"], result["failed"] = valid(file, directory / "ipopt.json")
                 results.append({k: v for k, v in result.items() if k not in ("left", "right")})
-        if any(r["valid"] for r in results):
+        if better(results):
             break
     return results
 
 
 def better(results):
-    """The fastest valid result that costs no more than the least does, or None."""
-    good = [r for r in results if r["valid"]]
+    """The fastest of the converged and valid results that cost least, or None.
+
+    Where no path keeps the whole margin, IPOPT may stop at a point that is valid and optimal for nothing: not a result.
+    """
+    good = [r for r in results if r["valid"] and r["converged"]]
     if not good:
         return None
     least = min(r["cost"] for r in good)
@@ -153,7 +156,7 @@ def line(row):
         return left + f"| - | - | {mine}/no | {o['seconds']:.4f} | ({spent:.2f}) | - | {o['iterations']}/- | {why} |"
     return left + (
         f"| {i['cost']:.2f} | {row['cost_ratio']:.5f} | {mine}/yes | {o['seconds']:.4f} | {i['seconds']:.3f} "
-        f"| {row['speedup']:.0f} | {o['iterations']}/{i['iterations']} | {kind(i)}{'' if i['converged'] else ', ' + i['status']} |"
+        f"| {row['speedup']:.0f} | {o['iterations']}/{i['iterations']} | {kind(i)} |"
     )
 
 
