@@ -277,6 +277,7 @@ def solve(scene, start, net_length, formulation="slip", elastic=False, options=N
             "evaluation_seconds": evaluation, "set_up_seconds": set_up, "iterations": iterations,
             "variables": int(w.numel()), "constraints": int(sum(len(b) for b in nlp.lg)), "net_length": length,
             "cost": float(cost(scene.planner, poses[:, 0], poses[:, 1], length)[0]),
+            "margin_price": margin_price(scene, poses[:, 0], poses[:, 1]),
             "left": poses[:, 0].tolist(), "right": poses[:, 1].tolist(),
         })  # fmt: skip
         if not stats["success"]:
@@ -289,6 +290,23 @@ def solve(scene, start, net_length, formulation="slip", elastic=False, options=N
         elif not (bent and rows.pin(scene, poses)):
             break
     return results
+
+
+def margin_price(scene, left, right):
+    """What the missing margins cost at our solver's price: with J, what both minimize where margins may give way."""
+    p, ops = scene.planner, far.Numbers
+    (lx, ly), (rx, ry) = (np.asarray(r)[1:-1, :2].T for r in (left, right))
+    missing = 0.0
+    for x, y in ((lx, ly), (rx, ry)):
+        for px, py, radius in scene.objects:
+            missing += np.maximum(scene.radius + radius + p["clearance"] - far.to_point(ops, x, y, px, py), 0).sum()
+        for piece in scene.pieces:
+            missing += np.maximum(scene.radius + p["clearance"] - far.to_piece(ops, x, y, piece), 0).sum()
+    for piece in scene.pieces:
+        for corner in piece.vertices:
+            gap = far.corner_to_line(ops, lx, ly, rx, ry, corner)
+            missing += np.maximum(p["clearance"] + piece.radius - gap, 0).sum()
+    return float(ELASTIC_WEIGHT * missing)
 
 
 def start_of(plan):
