@@ -10,7 +10,8 @@ pub struct PlanOptions {
     pub waypoints: Option<usize>,
     /// How the visiting order is found.
     pub order: OrderMethod,
-    /// Greatest number of visiting orders that are tried while no certified plan is found.
+    /// Greatest number of visiting orders that are explored, in parallel; the one of least cost is planned with, the others
+    /// are tried while no certified plan is found.
     pub orders: usize,
     /// How the centerline is found; `None`: by hybrid A*, and by RRT* when no certified plan follows from that.
     pub centerline: Option<CenterlineMethod>,

@@ -46,7 +46,7 @@ pub fn plan(
 
     // The best start first; the others only while no certified plan is found.
     let mut refused = None;
-    for start in &starts {
+    for (failed, start) in starts.iter().enumerate() {
         let course = Course {
             scene,
             net_length,
@@ -63,8 +63,11 @@ pub fn plan(
         match attempt {
             Ok((attempt, rehearsal)) => {
                 let mut plan = attempt.into_plan(&course, reference, rehearsal.as_ref());
-                if !start.warning.is_empty() {
-                    plan.warnings.push(start.warning.clone());
+                if failed > 0 {
+                    plan.warnings.push(format!(
+                        "no certified plan was found from {failed} other start(s); this one takes {}",
+                        start.name
+                    ));
                 }
                 return Ok(Planned {
                     plan,

@@ -1,8 +1,10 @@
 use crate::{CenterlineMethod, OrderMethod, PlanOptions};
 use pairtrawl_geometry::Pose;
-use pairtrawl_model::Scene;
-use pairtrawl_route::{RouteError, hybrid_a_star, rrt_star, visiting_orders};
+use pairtrawl_model::{Scene, SolverStatus};
+use pairtrawl_route::{RouteError, baseline, hybrid_a_star, rrt_star, visiting_orders};
+use pairtrawl_trajopt::{Problem, Settings, evaluate, optimize};
 use pairtrawl_world::World;
+use rayon::prelude::*;
 
 /// Samples for each leg of an RRT* centerline.
 const SAMPLES: usize = 3000;
@@ -13,12 +15,12 @@ pub(crate) struct Start {
     /// Indices of circles.
     pub order: Vec<usize>,
     method: CenterlineMethod,
-    /// What a person should know when the plan comes from here; empty for the first start.
-    pub warning: String,
+    /// What it takes, for people.
+    pub name: String,
 }
 
-/// The starts to try one after another, the best first, never empty: visiting orders in rising length, then the same by
-/// RRT*, then the scene's own order. Whatever the user fixed stays fixed.
+/// The starts to try one after another, the best first, never empty: visiting orders in rising cost, then in rising length
+/// by RRT*, then the scene's own order. Whatever the user fixed stays fixed.
 pub(crate) fn starts(
     world: &World,
     scene: &Scene,
@@ -36,21 +38,15 @@ pub(crate) fn starts(
         None => vec![CenterlineMethod::HybridAStar, CenterlineMethod::RrtStar],
     };
     let mut starts: Vec<Start> = Vec::new();
-    let mut add = |order: &[usize], method: CenterlineMethod, what: String| {
+    let mut add = |order: &[usize], method: CenterlineMethod, name: String| {
         if !starts
             .iter()
             .any(|s| s.order == order && s.method == method)
         {
-            let warning = match starts.len() {
-                0 => String::new(),
-                failed => format!(
-                    "no certified plan was found from {failed} other start(s); this one takes {what}"
-                ),
-            };
             starts.push(Start {
                 order: order.to_vec(),
                 method,
-                warning,
+                name,
             });
         }
     };
@@ -67,7 +63,38 @@ pub(crate) fn starts(
     if let (Some(order), Some(method)) = (last, methods.first()) {
         add(&order, *method, "the scene's own order".to_owned());
     }
+    let explored = orders.len();
+    rank_by_cost(&mut starts[..explored], world, scene, options);
     Ok(starts)
+}
+
+/// Puts the starts that lead to the least cost first: each is optimized once, in parallel. Those without a solution keep
+/// their places behind.
+fn rank_by_cost(starts: &mut [Start], world: &World, scene: &Scene, options: &PlanOptions) {
+    if starts.len() < 2 {
+        return;
+    }
+    let net_length = options.net_length_for(scene);
+    let given = options.waypoints.or(scene.planner.waypoints);
+    let cost = |start: &Start| -> Option<f64> {
+        let line = start.centerline(world, scene, options.seed).ok()?;
+        let first = baseline(world, scene, &line, &start.order, given).ok()?;
+        let problem = Problem::new(scene, net_length, &world.pieces);
+        let solution = optimize(&problem, &first, &Settings::default());
+        (solution.status == SolverStatus::Converged)
+            .then(|| evaluate(scene, &solution.trajectory, solution.net_length).total())
+    };
+    let costs: Vec<Option<f64>> = starts.par_iter().map(cost).collect();
+    let mut ranked: Vec<(f64, Start)> = costs
+        .into_iter()
+        .map(|cost| cost.unwrap_or(f64::INFINITY))
+        .zip(starts.iter().cloned())
+        .collect();
+    // Stable: equal costs keep the shorter way first.
+    ranked.sort_by(|a, b| a.0.total_cmp(&b.0));
+    for (slot, (_, start)) in starts.iter_mut().zip(ranked) {
+        *slot = start;
+    }
 }
 
 impl Start {
