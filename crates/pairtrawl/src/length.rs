@@ -1,13 +1,11 @@
 use crate::attempt::{Course, Origin};
 use crate::run::Run;
-use crate::starts::starts;
+use crate::starts::CommonStart;
 use crate::tighten::Tightening;
 use crate::{Observer, PlanError, PlanOptions, RehearsalMode, Stage};
 use pairtrawl_certificate::infeasibility;
 use pairtrawl_model::{Cost, LengthCurve, LengthPoint, Scene};
-use pairtrawl_route::baseline;
 use pairtrawl_trajopt::evaluate;
-use pairtrawl_world::World;
 use rayon::prelude::*;
 
 /// Which net lengths the curve is computed for.
@@ -61,19 +59,15 @@ pub fn length_curve(
     observer: &mut dyn Observer,
 ) -> Result<LengthCurve, PlanError> {
     let mut run = Run::new(options, observer);
-    let world = run.stage(Stage::World, || World::new(scene, None))??;
-    let starts = run.stage(Stage::Order, || starts(&world, scene, options))??;
-    let start = starts.first().ok_or_else(PlanError::no_start)?;
-    let centerline = run.stage(Stage::Centerline, || {
-        start.centerline(&world, scene, options.seed)
-    })??;
-    let given = options.waypoints.or(scene.planner.waypoints);
-    let first = run.stage(Stage::Baseline, || {
-        baseline(&world, scene, &centerline, &start.order, given)
-    })??;
+    let CommonStart {
+        world,
+        order,
+        centerline,
+        baseline,
+    } = CommonStart::new(scene, options, &mut run)?;
     let origin = Origin::Centerline(centerline);
     let fixed = PlanOptions {
-        waypoints: Some(first.len()),
+        waypoints: Some(baseline.len()),
         rehearsal: RehearsalMode::Skip,
         time_limit: None,
         ..options.clone()
@@ -87,7 +81,7 @@ pub fn length_curve(
             scene,
             net_length,
             world: &world,
-            order: &start.order,
+            order: &order,
             options: &fixed,
         };
         let (mut tightening, mut nobody) = (Tightening::NONE, ());

@@ -1,6 +1,7 @@
-use crate::{CenterlineMethod, OrderMethod, PlanOptions};
+use crate::run::Run;
+use crate::{CenterlineMethod, OrderMethod, PlanError, PlanOptions, Stage};
 use pairtrawl_geometry::Pose;
-use pairtrawl_model::{Scene, SolverStatus};
+use pairtrawl_model::{PairTrajectory, Scene, SolverStatus};
 use pairtrawl_route::{RouteError, baseline, hybrid_a_star, rrt_star, visiting_orders};
 use pairtrawl_trajopt::{Problem, Settings, evaluate, optimize};
 use pairtrawl_world::World;
@@ -94,6 +95,36 @@ fn rank_by_cost(starts: &mut [Start], world: &World, scene: &Scene, options: &Pl
     ranked.sort_by(|a, b| a.0.total_cmp(&b.0));
     for (slot, (_, start)) in starts.iter_mut().zip(ranked) {
         *slot = start;
+    }
+}
+
+/// What studies over the net length have in common: the same start for every length.
+pub(crate) struct CommonStart {
+    pub world: World,
+    pub order: Vec<usize>,
+    pub centerline: Vec<Pose>,
+    pub baseline: PairTrajectory,
+}
+
+impl CommonStart {
+    /// The first start of a scene whose net length is open.
+    pub fn new(scene: &Scene, options: &PlanOptions, run: &mut Run) -> Result<Self, PlanError> {
+        let world = run.stage(Stage::World, || World::new(scene, None))??;
+        let starts = run.stage(Stage::Order, || starts(&world, scene, options))??;
+        let start = starts.into_iter().next().ok_or_else(PlanError::no_start)?;
+        let centerline = run.stage(Stage::Centerline, || {
+            start.centerline(&world, scene, options.seed)
+        })??;
+        let given = options.waypoints.or(scene.planner.waypoints);
+        let baseline = run.stage(Stage::Baseline, || {
+            baseline(&world, scene, &centerline, &start.order, given)
+        })??;
+        Ok(Self {
+            world,
+            order: start.order,
+            centerline,
+            baseline,
+        })
     }
 }
 

@@ -1,10 +1,8 @@
 use crate::run::Run;
-use crate::starts::starts;
+use crate::starts::CommonStart;
 use crate::{LengthRange, Observer, PlanError, PlanOptions, Stage};
 use pairtrawl_model::{Cost, PairTrajectory, Scene};
-use pairtrawl_route::baseline;
 use pairtrawl_trajopt::{Problem, SeparationRule, Settings, Solution, evaluate, optimize};
-use pairtrawl_world::World;
 use rayon::prelude::*;
 
 /// The paper's comparison of its U-shaped separation cost with two others (its Fig. 7). Studies: their trajectories break
@@ -29,16 +27,9 @@ pub fn separation_study(
     observer: &mut dyn Observer,
 ) -> Result<SeparationStudy, PlanError> {
     let mut run = Run::new(options, observer);
-    let world = run.stage(Stage::World, || World::new(scene, None))??;
-    let starts = run.stage(Stage::Order, || starts(&world, scene, options))??;
-    let start = starts.first().ok_or_else(PlanError::no_start)?;
-    let centerline = run.stage(Stage::Centerline, || {
-        start.centerline(&world, scene, options.seed)
-    })??;
-    let given = options.waypoints.or(scene.planner.waypoints);
-    let baseline = run.stage(Stage::Baseline, || {
-        baseline(&world, scene, &centerline, &start.order, given)
-    })??;
+    let CommonStart {
+        world, baseline, ..
+    } = CommonStart::new(scene, options, &mut run)?;
     let problem = |net_length| Problem::new(scene, Some(net_length), &world.pieces);
     let settings = Settings::default();
 
