@@ -35,7 +35,8 @@ impl Point {
 
     /// Euclidean length.
     pub fn norm(self) -> f64 {
-        self.x.hypot(self.y)
+        // Not hypot, which is many times slower to be exact near overflow.
+        self.norm_squared().sqrt()
     }
 
     /// Squared Euclidean length.
