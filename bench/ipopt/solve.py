@@ -16,7 +16,7 @@ import distances as far
 from scene import cost, read_scene
 
 # Reserves beyond the claims, as in `Problem::new`.
-SEPARATION, NET_REACH, SKEW, SAG = 1e-3, 5e-4, 1e-3, 1.4e-3
+SEPARATION, NET_REACH, SKEW, SAG = 1e-3, 5e-4, 6e-3, 1.4e-3
 # Kept within the limits of steps and turns: a claim holds to 1e-9, IPOPT to its tolerance.
 ROUNDING = 2e-6
 # Objects and obstacles are in play up to this far beyond what is kept from them, m. Wider than ours (0.35 m, looked up
