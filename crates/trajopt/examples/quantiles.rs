@@ -1,4 +1,5 @@
-//! Cold and warm solves over generated scenes, from the baseline of the route: `quantiles [SCENES] [N] [FIRST SEED] [from-to]`.
+//! Cold and warm solves over generated scenes, from the baseline of the route: `quantiles [SCENES] [N] [FIRST SEED]
+//! [DIFFICULTY]`.
 //!
 //! Prints for each difficulty the share of certified results and quantiles of iterations and milliseconds on the processor
 //! (not wall time: the machine may be busy).
@@ -11,13 +12,8 @@ use pairtrawl_world::World;
 
 /// Milliseconds that this thread has spent on a processor.
 fn processor_ms() -> f64 {
-    let text = std::fs::read_to_string("/proc/thread-self/schedstat").unwrap_or_default();
-    let ns: f64 = text
-        .split_whitespace()
-        .next()
-        .and_then(|t| t.parse().ok())
-        .unwrap_or(f64::NAN);
-    ns / 1e6
+    let time = rustix::time::clock_gettime(rustix::time::ClockId::ThreadCPUTime);
+    1e3 * time.tv_sec as f64 + time.tv_nsec as f64 / 1e6
 }
 
 /// One solve.
@@ -41,6 +37,17 @@ fn timed(scene: &pairtrawl_model::Scene, solve: impl Fn() -> Solution) -> (Outco
         status: solution.status,
     };
     (outcome, solution)
+}
+
+/// Says which solve ended without a certified result.
+fn report(kind: &str, difficulty: u8, seed: u64, outcome: &Outcome, solution: &Solution) {
+    if !outcome.certified {
+        let worst = solution.violations.first();
+        println!(
+            "  {kind}, difficulty {difficulty} seed {seed}: {:?} {worst:?}",
+            outcome.status
+        );
+    }
 }
 
 fn quantile(values: &mut [f64], q: f64) -> f64 {
@@ -78,7 +85,8 @@ fn main() {
         |i: usize, default: u64| args.get(i).and_then(|a| a.parse().ok()).unwrap_or(default);
     let (scenes, n, first) = (number(1, 20), number(2, 200) as usize, number(3, 1));
     let (mut all_cold, mut all_warm) = (Vec::new(), Vec::new());
-    for difficulty in 1..=10 {
+    let only = number(4, 0) as u8;
+    for difficulty in (1..=10).filter(|d| only == 0 || only == *d) {
         let (mut cold, mut warm, mut no_start) = (Vec::new(), Vec::new(), 0);
         for seed in first..first + scenes {
             let Ok(generated) = generate(Kind::Witness, difficulty, seed, n) else {
@@ -96,13 +104,7 @@ fn main() {
             let problem = Problem::new(&scene, None, &world.pieces);
             let (outcome, solution) =
                 timed(&scene, || optimize(&problem, &start, &Settings::default()));
-            if !outcome.certified {
-                println!(
-                    "  difficulty {difficulty} seed {seed}: {:?} {:?}",
-                    outcome.status,
-                    solution.violations.first()
-                );
-            }
+            report("cold", difficulty, seed, &outcome, &solution);
             // A small change of the scene: obstacles and objects keep their places, the first object moves by 2 cm.
             let mut changed = scene.clone();
             if let Some(object) = changed.objects.first_mut() {
@@ -119,7 +121,9 @@ fn main() {
                 )
             };
             if outcome.certified {
-                warm.push(timed(&changed, again).0);
+                let (outcome, solution) = timed(&changed, again);
+                report("warm", difficulty, seed, &outcome, &solution);
+                warm.push(outcome);
             }
             cold.push(outcome);
         }

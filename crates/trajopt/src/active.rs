@@ -2,13 +2,13 @@
 //! which are looked up again as the trajectories move.
 
 use crate::constraints::{
-    CenterDistance, HalfPlane, PointDistance, RungDistance, SeparationAbove, SeparationBelow,
+    CenterDistance, HalfPlane, PointDistance, QuadDistance, SeparationAbove, SeparationBelow,
 };
 use crate::iterate::Iterate;
 use crate::problem::{Problem, SeparationRule};
 use crate::row::Row;
-use crate::step::TURN_COST;
-use crate::term::{Jet, PAIR, POINT, RUNG, Term};
+use crate::step::{Step, TURN_COST};
+use crate::term::{PAIR, POINT, QUAD, Term};
 
 /// Rows of the pair at one waypoint: separation above, below, net reach, abreast left, abreast right.
 pub(crate) const PAIR_ROWS: usize = 5;
@@ -86,11 +86,12 @@ pub(crate) struct PairRow {
 }
 
 #[derive(Clone, Debug)]
-pub(crate) struct RungRow {
-    pub stage: u32,
+pub(crate) struct QuadRow {
+    /// Step: from this waypoint to the next.
+    pub step: u32,
     pub piece: u32,
     pub tier: Tier,
-    pub row: Row<RUNG>,
+    pub row: Row<QUAD>,
 }
 
 impl PointRow {
@@ -99,9 +100,9 @@ impl PointRow {
     }
 }
 
-impl RungRow {
+impl QuadRow {
     pub fn key(&self) -> (u32, u32, u8) {
-        (self.stage, self.piece, self.tier as u8)
+        (self.step, self.piece, self.tier as u8)
     }
 }
 
@@ -111,7 +112,7 @@ macro_rules! each_row {
         for $row in &$set.steps $with
         for item in &$set.pairs { let $row = &item.row; $with }
         for item in &$set.points { let $row = &item.row; $with }
-        for item in &$set.rungs { let $row = &item.row; $with }
+        for item in &$set.quads { let $row = &item.row; $with }
     };
 }
 
@@ -121,7 +122,7 @@ macro_rules! each_row_mut {
         for $row in &mut $set.steps $with
         for item in &mut $set.pairs { let $row = &mut item.row; $with }
         for item in &mut $set.points { let $row = &mut item.row; $with }
-        for item in &mut $set.rungs { let $row = &mut item.row; $with }
+        for item in &mut $set.quads { let $row = &mut item.row; $with }
     };
 }
 
@@ -130,9 +131,11 @@ macro_rules! each_row_mut {
 pub(crate) struct ActiveSet {
     /// Five bounds a robot and step.
     pub steps: Vec<Row<1>>,
+    /// Every robot-step, at the iterate or at the last trial point.
+    pub frames: Vec<Step>,
     pub pairs: Vec<PairRow>,
     pub points: Vec<PointRow>,
-    pub rungs: Vec<RungRow>,
+    pub quads: Vec<QuadRow>,
     /// Waypoint at which the rung passes over each object.
     pub crossings: Vec<usize>,
 }
@@ -222,8 +225,8 @@ impl Problem {
         }
     }
 
-    pub(crate) fn rung_distance(&self, piece: u32, tier: Tier) -> RungDistance<'_> {
-        RungDistance {
+    pub(crate) fn quad_distance(&self, piece: u32, tier: Tier) -> QuadDistance<'_> {
+        QuadDistance {
             region: self.pieces.get(piece),
             keep: tier.reserve(self.reserve.net_clearance),
         }
@@ -239,6 +242,7 @@ impl ActiveSet {
         for i in 0..n - 1 {
             for robot in 0..2 {
                 let step = x.step(i, robot);
+                set.frames.push(step);
                 for (kind, bound) in bounds.iter().enumerate() {
                     let weight = if kind == TURN_COST {
                         2.0 * problem.turn_weight()
@@ -268,7 +272,9 @@ impl ActiveSet {
     }
 }
 
-/// Value or jet of a row's term; the compiler inlines the choice.
-pub(crate) fn jet_of<const K: usize>(z: &[f64; K]) -> impl Fn(&dyn Term<K>) -> Jet<K> + '_ {
-    move |t| t.jet(z)
+/// Value and gradient of a row's term; the compiler inlines the choice.
+pub(crate) fn slope_of<const K: usize>(
+    z: &[f64; K],
+) -> impl Fn(&dyn Term<K>) -> (f64, [f64; K]) + '_ {
+    move |t| t.slope(z)
 }

@@ -3,13 +3,13 @@
 //! Slacks, violations and multipliers of the inequalities are eliminated row by row; the equalities (no sideways slip) by
 //! dual regularization, `A dx + h = delta (lambda+ - lambda)`, which leaves `A^T A / delta` in the band.
 
-use crate::active::{ActiveSet, jet_of};
+use crate::active::{ActiveSet, slope_of};
 use crate::iterate::{Iterate, STAGE};
 use crate::linear::BandMatrix;
 use crate::problem::Problem;
-use crate::row::Row;
+use crate::row::{Condensed, Row};
 use crate::step::{Coordinate, STEP_BOUNDS, Step};
-use crate::term::{Jet, PAIR, POINT, RUNG, Term};
+use crate::term::{Jet, PAIR, POINT, QUAD, Term};
 
 /// Dual regularization of the equalities.
 pub(crate) const DUAL_REGULARIZATION: f64 = 1e-9;
@@ -31,8 +31,6 @@ pub(crate) struct System {
     pub arrow: Vec<f64>,
     /// The net length's own entries.
     pub length: LengthEntries,
-    /// Every robot-step at the iterate.
-    pub steps: Vec<Step>,
 }
 
 /// Diagonal and gradients of the net length.
@@ -45,7 +43,7 @@ pub(crate) struct LengthEntries {
 }
 
 /// Gradient and Hessian gathered in local coordinates before they are scattered once.
-struct Local<const K: usize> {
+pub(crate) struct Local<const K: usize> {
     gradient: [f64; K],
     lagrangian: [f64; K],
     objective: [f64; K],
@@ -60,6 +58,18 @@ impl<const K: usize> Local<K> {
             objective: [0.0; K],
             hessian: [[0.0; K]; K],
         }
+    }
+
+    /// What a row adds to matrix and gradient.
+    pub fn of_row(g: &[f64; K], Condensed { sigma, force }: Condensed) -> Self {
+        let mut local = Self::new();
+        for i in 0..K {
+            local.gradient[i] = -force * g[i];
+            for j in 0..K {
+                local.hessian[i][j] = sigma * g[i] * g[j];
+            }
+        }
+        local
     }
 
     #[inline]
@@ -81,20 +91,20 @@ impl<const K: usize> Local<K> {
         }
     }
 
-    #[inline]
     /// Constraints lend no curvature of their own: what they have is mostly negative (distances from convex things are to
     /// be large), and small against that of the taut paths.
-    fn add_row(&mut self, row: &mut Row<K>, jet: &Jet<K>, mu: f64) {
-        row.c = jet.value;
-        row.gradient = jet.gradient;
-        let condensed = row.condense(mu, row.residual());
+    #[inline]
+    fn add_row(&mut self, row: &mut Row<K>, (value, gradient): (f64, [f64; K]), mu: f64) {
+        row.c = value;
+        row.gradient = gradient;
+        let condensed = row.condense(mu);
         for i in 0..K {
-            let g = jet.gradient[i];
+            let g = gradient[i];
             self.gradient[i] -= condensed.force * g;
             self.lagrangian[i] -= row.z * g;
             let sg = condensed.sigma * g;
-            for j in 0..K {
-                self.hessian[i][j] += sg * jet.gradient[j];
+            for (h, other) in self.hessian[i].iter_mut().zip(&gradient) {
+                *h += sg * other;
             }
         }
     }
@@ -102,11 +112,11 @@ impl<const K: usize> Local<K> {
 
 /// First and second derivatives over one step, in `along`, `across`, `turn`.
 #[derive(Default)]
-struct StepDerivatives {
+pub(crate) struct StepDerivatives {
     /// Condensed gradient, Lagrangian gradient and objective gradient.
-    gradients: [[f64; 3]; 3],
+    pub gradients: [[f64; 3]; 3],
     /// Diagonal second derivatives.
-    diagonal: [f64; 3],
+    pub diagonal: [f64; 3],
     /// Curvature of the frame: of a taut string, and of the lateral force against `along`.
     taut: f64,
     lateral: f64,
@@ -130,7 +140,7 @@ impl StepDerivatives {
 
 /// Index of a stage's first variable among the inner stages; `None` for the fixed ends.
 #[inline]
-fn base(stage: usize, count: usize) -> Option<usize> {
+pub(crate) fn base(stage: usize, count: usize) -> Option<usize> {
     (stage > 0 && stage + 1 < count).then(|| (stage - 1) * STAGE)
 }
 
@@ -156,11 +166,10 @@ impl System {
             v.resize(order, 0.0);
         }
         self.length = LengthEntries::default();
-        self.steps.clear();
-        self.add_steps(problem, x, set, lambda, mu);
+        self.add_steps(problem, set, lambda, mu);
         self.add_pairs(problem, x, set, mu);
         self.add_points(problem, x, set, mu);
-        self.add_rungs(problem, x, set, mu);
+        self.add_quads(problem, x, set, mu);
         self.add_smoothness(problem, x);
         if let Some(robot) = problem.frozen {
             self.freeze(robot);
@@ -184,21 +193,14 @@ impl System {
         }
     }
 
-    fn add_steps(
-        &mut self,
-        problem: &Problem,
-        x: &Iterate,
-        set: &mut ActiveSet,
-        lambda: &[f64],
-        mu: f64,
-    ) {
-        let count = x.stages.len();
+    fn add_steps(&mut self, problem: &Problem, set: &mut ActiveSet, lambda: &[f64], mu: f64) {
+        let count = set.frames.len() / 2 + 1;
         let weight = problem.distance_weight();
         let bounds = problem.step_bounds();
         for i in 0..count - 1 {
             for robot in 0..2 {
                 let at = 2 * i + robot;
-                let step = x.step(i, robot);
+                let step = set.frames[at];
                 let mut d = StepDerivatives::default();
                 let dual = 1.0 / DUAL_REGULARIZATION;
                 d.gradients = [
@@ -211,7 +213,7 @@ impl System {
                 for (row, bound) in rows.iter_mut().zip(&bounds) {
                     row.c = bound.value(&step);
                     row.gradient = [bound.sign];
-                    let condensed = row.condense(mu, row.residual());
+                    let condensed = row.condense(mu);
                     let k = if bound.coordinate == Coordinate::Along {
                         0
                     } else {
@@ -223,12 +225,11 @@ impl System {
                 }
                 d.bend(&step, lambda[at]);
                 self.scatter_step(i, robot, count, &step, &d);
-                self.steps.push(step);
             }
         }
     }
 
-    fn scatter_step(
+    pub(crate) fn scatter_step(
         &mut self,
         i: usize,
         robot: usize,
@@ -290,8 +291,8 @@ impl System {
             let mut local = Local::new();
             local.add_cost(&expansion.convex_jet(&z));
             while let Some(pair) = rows.next_if(|r| r.stage as usize == i) {
-                let jet = problem.pair_term(pair.kind, i, jet_of(&z));
-                local.add_row(&mut pair.row, &jet, mu);
+                let slope = problem.pair_term(pair.kind, i, slope_of(&z));
+                local.add_row(&mut pair.row, slope, mu);
             }
             self.scatter_pair(base(i, count), &local);
         }
@@ -299,7 +300,7 @@ impl System {
 
     /// `rx = lx - rx`, `ry = ly - ry`, both headings, net length.
     #[inline]
-    fn scatter_pair(&mut self, base: Option<usize>, local: &Local<PAIR>) {
+    pub(crate) fn scatter_pair(&mut self, base: Option<usize>, local: &Local<PAIR>) {
         /// (variable of the stage, local coordinate, sign)
         const MAP: [(usize, usize, f64); STAGE] = [
             (0, 0, 1.0),
@@ -332,33 +333,54 @@ impl System {
         for point in &mut set.points {
             let (stage, robot) = (point.stage as usize, point.robot as usize);
             let z = x.point(stage, robot);
-            let jet = problem.point_term(&point.kind, jet_of(&z));
+            let slope = problem.point_term(&point.kind, slope_of(&z));
             let mut local = Local::<POINT>::new();
-            local.add_row(&mut point.row, &jet, mu);
+            local.add_row(&mut point.row, slope, mu);
             if let Some(b) = base(stage, count) {
                 self.scatter_block(b + 3 * robot, [0, 1], &local);
             }
         }
     }
 
-    fn add_rungs(&mut self, problem: &Problem, x: &Iterate, set: &mut ActiveSet, mu: f64) {
+    fn add_quads(&mut self, problem: &Problem, x: &Iterate, set: &mut ActiveSet, mu: f64) {
         let count = x.stages.len();
-        for rung in &mut set.rungs {
-            let stage = rung.stage as usize;
-            let jet = problem
-                .rung_distance(rung.piece, rung.tier)
-                .jet(&x.rung(stage));
-            let mut local = Local::<RUNG>::new();
-            local.add_row(&mut rung.row, &jet, mu);
-            if let Some(b) = base(stage, count) {
-                self.scatter_block(b, [0, 1, 3, 4], &local);
+        for quad in &mut set.quads {
+            let step = quad.step as usize;
+            let term = problem.quad_distance(quad.piece, quad.tier);
+            let mut local = Local::<QUAD>::new();
+            local.add_row(&mut quad.row, term.slope(&x.quad(step)), mu);
+            self.scatter_quad(step, count, &local);
+        }
+    }
+
+    /// Positions of both robots at both ends of a step.
+    pub fn scatter_quad(&mut self, step: usize, count: usize, local: &Local<QUAD>) {
+        const VARIABLES: [usize; 4] = [0, 1, 3, 4];
+        for k in 0..QUAD {
+            let Some(b) = base(step + k / 4, count) else {
+                continue;
+            };
+            let v = b + VARIABLES[k % 4];
+            self.gradient[v] += local.gradient[k];
+            self.lagrangian[v] += local.lagrangian[k];
+            self.objective[v] += local.objective[k];
+            for m in 0..=k {
+                if let Some(c) = base(step + m / 4, count) {
+                    self.matrix
+                        .add_lower(v, c + VARIABLES[m % 4], local.hessian[k][m]);
+                }
             }
         }
     }
 
     /// Local coordinates that are variables of one stage, ascending.
     #[inline]
-    fn scatter_block<const K: usize>(&mut self, b: usize, variables: [usize; K], local: &Local<K>) {
+    pub(crate) fn scatter_block<const K: usize>(
+        &mut self,
+        b: usize,
+        variables: [usize; K],
+        local: &Local<K>,
+    ) {
         for (k, &v) in variables.iter().enumerate() {
             self.gradient[b + v] += local.gradient[k];
             self.lagrangian[b + v] += local.lagrangian[k];

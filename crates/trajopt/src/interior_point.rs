@@ -8,7 +8,9 @@ use crate::iterate::{Iterate, STAGE};
 use crate::merit::Merit;
 use crate::newton::Newton;
 use crate::problem::Problem;
+use crate::shortfalls::shortfalls;
 use pairtrawl_model::SolverStatus;
+use std::ops::Range;
 
 /// How the interior point works. Budgets count iterations, so that results do not depend on the machine.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -17,6 +19,8 @@ pub struct Settings {
     pub max_iterations: usize,
     /// First barrier parameter.
     pub initial_mu: f64,
+    /// The start is presumed to meet its constraints or nearly so, else every row begins on the central path.
+    pub nearly_optimal: bool,
     /// Factor of the barrier parameter from one barrier problem to the next.
     pub barrier_decrease: f64,
     /// Summed complementarity at which the problem counts as solved, as a share of the cost.
@@ -34,6 +38,7 @@ impl Default for Settings {
         Self {
             max_iterations: 300,
             initial_mu: 1.0,
+            nearly_optimal: false,
             barrier_decrease: 0.1,
             relative_gap: 2e-4,
             relative_decrease: 1e-5,
@@ -47,7 +52,8 @@ impl Settings {
     /// For a start that is nearly optimal already, such as the plan before a small change of the scene.
     pub fn warm() -> Self {
         Self {
-            initial_mu: 1e-2,
+            initial_mu: 1e-4,
+            nearly_optimal: true,
             ..Self::default()
         }
     }
@@ -64,6 +70,8 @@ pub struct Residuals {
     pub complementarity: f64,
     /// Sum of all complementarity products: bounds the cost above the optimum.
     pub gap: f64,
+    /// How many products that are.
+    pub products: usize,
 }
 
 /// State of the solver, reused from solve to solve so that the loop does not allocate.
@@ -73,6 +81,8 @@ pub(crate) struct Workspace {
     pub newton: Newton,
     pub trial: Iterate,
     pub filter: Filter,
+    /// Parts of the course whose direction is found again.
+    pub parts: Vec<Range<usize>>,
 }
 
 /// A point with its multipliers.
@@ -89,8 +99,6 @@ pub(crate) struct State {
     pub merit: Merit,
     /// Decrease of the barrier function that the last full Newton step promised; infinite before the first.
     pub promise: f64,
-    /// Largest multiplier of an equality.
-    pub force: f64,
 }
 
 /// Least shift of the diagonal: keeps directions that cost nothing from running away.
@@ -100,9 +108,15 @@ const POLISHING_SHIFT: f64 = 100.0;
 const POLISHING_INCREASE: f64 = 4.0;
 const GREATEST_POLISHING_SHIFT: f64 = 1e7;
 /// Constraints near are looked up again when a robot moved this far, m.
-const REFRESH_DISTANCE: f64 = 0.15;
+const REFRESH_DISTANCE: f64 = 0.12;
+/// Violations that cost more than this share of the objective are watched.
+const STALL_SHARE: f64 = 0.05;
+/// They go away as long as they fall below this share of their lowest ...
+const STALL_DECREASE: f64 = 0.98;
+/// ... within this many iterations.
+const STALL_ITERATIONS: usize = 30;
 /// A barrier problem is solved well enough when what is left of it is this share of the gap.
-const BARRIER_SHARE: f64 = 0.02;
+const BARRIER_SHARE: f64 = 0.1;
 
 impl State {
     pub fn new(problem: &Problem, x: Iterate, settings: &Settings) -> Self {
@@ -117,8 +131,16 @@ impl State {
             promise: f64::INFINITY,
             ..Self::default()
         };
-        state.merit = state.set.merit(problem, &state.x);
+        if settings.nearly_optimal {
+            each_row_mut!(state.set, row, { row.presume_met(mu) });
+        }
+        state.measure(problem);
         state
+    }
+
+    /// Merit and residuals of the point, but for the dual one.
+    fn measure(&mut self, problem: &Problem) {
+        (self.merit, self.residuals) = self.set.measure(problem, &self.x, self.mu);
     }
 }
 
@@ -132,6 +154,7 @@ pub(crate) fn solve(
 ) -> SolverStatus {
     let mut looked_up = state.x.clone();
     let mut shift = LEAST_SHIFT;
+    let mut stall = Stall::new(state);
     let free_length = problem.net_length.is_none();
     work.filter.clear();
     loop {
@@ -139,19 +162,31 @@ pub(crate) fn solve(
             state
                 .set
                 .refresh(problem, &state.x, settings.elastic_weight, state.mu);
-            state.merit = state.set.merit(problem, &state.x);
+            state.measure(problem);
             looked_up.clone_from(&state.x);
+            work.filter.clear();
+        }
+        let optimal = optimal(state, settings);
+        let converged = optimal && state.residuals.primal <= settings.feasibility_tolerance;
+        if !converged
+            && barrier_solved(state)
+            && state.residuals.gap > 0.5 * settings.relative_gap * state.merit.cost.abs()
+        {
+            state.mu *= settings.barrier_decrease;
             work.filter.clear();
         }
         work.system
             .assemble(problem, &state.x, &mut state.set, &state.lambda, state.mu);
-        measure(state, &work.system, free_length);
-        if optimal(state, settings) {
-            if state.residuals.primal <= settings.feasibility_tolerance {
-                return SolverStatus::Converged;
-            }
+        state.residuals.dual = stationarity(&work.system, free_length);
+        if converged {
+            return SolverStatus::Converged;
+        }
+        if optimal {
             // What is left is slip; small steps mend it without wandering along directions that cost nothing.
             shift = (POLISHING_INCREASE * shift).clamp(POLISHING_SHIFT, GREATEST_POLISHING_SHIFT);
+        }
+        if stall.goes_on(problem, state) {
+            return SolverStatus::LocallyInfeasible;
         }
         if state.iterations >= settings.max_iterations {
             return SolverStatus::IterationLimit;
@@ -159,20 +194,44 @@ pub(crate) fn solve(
         if !go_on(state) {
             return SolverStatus::TimeLimit;
         }
-        if barrier_solved(state)
-            && state.residuals.gap > 0.5 * settings.relative_gap * state.merit.cost.abs()
-        {
-            state.mu *= settings.barrier_decrease;
-            work.filter.clear();
-            work.system
-                .assemble(problem, &state.x, &mut state.set, &state.lambda, state.mu);
-        }
-        if !work.newton.solve(&work.system, free_length, shift) {
+        let Some(longest) = work.direction(problem, state, shift) else {
             return SolverStatus::NumericalTrouble;
-        }
-        let longest = work.newton.recover(state, &work.system, problem.frozen);
+        };
         work.line_search(problem, state, longest);
         state.iterations += 1;
+    }
+}
+
+/// Watches for violations that do not go away, far beyond what the barrier keeps from every bound.
+struct Stall {
+    lowest: f64,
+    since: usize,
+}
+
+impl Stall {
+    fn new(state: &State) -> Self {
+        Self {
+            lowest: f64::INFINITY,
+            since: state.iterations,
+        }
+    }
+
+    /// True when violations have stayed what they are for a while, and are more than margins that gave way.
+    fn goes_on(&mut self, problem: &Problem, state: &State) -> bool {
+        let (violation, cost) = (state.merit.violation, state.merit.cost.abs());
+        let of_barrier = state.mu * state.residuals.products as f64;
+        if violation < STALL_DECREASE * self.lowest
+            || violation < STALL_SHARE * cost + 2.0 * of_barrier
+        {
+            *self = Self {
+                lowest: violation,
+                since: state.iterations,
+            };
+        }
+        let waited = state.iterations - self.since;
+        waited > 0
+            && waited.is_multiple_of(STALL_ITERATIONS)
+            && !shortfalls(problem, state).0.is_empty()
     }
 }
 
@@ -189,30 +248,15 @@ fn moved(a: &Iterate, b: &Iterate) -> f64 {
         .fold(0.0, |most, (a, b)| most.max(change(a, b)))
 }
 
-/// Residuals at the assembled point.
-fn measure(state: &mut State, system: &System, free_length: bool) {
-    let mut r = Residuals::default();
-    each_row!(state.set, row, {
-        let (largest, products) = row.complementarity(state.mu);
-        r.complementarity = r.complementarity.max(largest);
-        r.gap += products;
-        r.primal = r.primal.max(row.residual().abs());
-    });
-    state.force = 0.0;
-    for (&lambda, step) in state.lambda.iter().zip(&system.steps) {
-        r.primal = r.primal.max(step.across.abs());
-        state.force = state.force.max(lambda.abs());
-    }
-    r.dual = system
-        .lagrangian
-        .iter()
-        .fold(0.0_f64, |m, g| m.max(g.abs()));
-    if free_length {
-        r.dual = r.dual.max(system.length.lagrangian.abs());
-    }
-    let scale = system.objective.iter().fold(1.0_f64, |m, g| m.max(g.abs()));
-    r.dual /= scale;
-    state.residuals = r;
+/// Largest entry of the Lagrangian's gradient, as a share of the largest entry of the objective's gradient.
+fn stationarity(system: &System, free_length: bool) -> f64 {
+    let largest = |v: &[f64]| v.iter().fold(0.0_f64, |m, g| m.max(g.abs()));
+    let length = if free_length {
+        system.length.lagrangian.abs()
+    } else {
+        0.0
+    };
+    largest(&system.lagrangian).max(length) / largest(&system.objective).max(1.0)
 }
 
 /// The cost is optimal to the tolerances: the last Newton step promised next to nothing, and so does the rest of the barrier.
@@ -226,5 +270,8 @@ fn optimal(state: &State, settings: &Settings) -> bool {
 /// parameter gains, in cost and in violation.
 fn barrier_solved(state: &State) -> bool {
     let r = &state.residuals;
-    state.promise <= BARRIER_SHARE * r.gap && r.primal * state.force <= BARRIER_SHARE * r.gap
+    let force = state.lambda.iter().fold(0.0_f64, |m, l| m.max(l.abs()));
+    // Not the gap itself where violations are far from complementary: a barrier that falls then only makes them stiffer.
+    let left = BARRIER_SHARE * r.gap.min(state.mu * r.products as f64);
+    state.promise <= left && r.primal * force <= left
 }

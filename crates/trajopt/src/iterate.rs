@@ -1,7 +1,7 @@
 //! The point that the solver moves: poses of both robots at every waypoint, and the net length.
 
 use crate::step::Step;
-use crate::term::{PAIR, POINT, RUNG};
+use crate::term::{PAIR, POINT, QUAD};
 use pairtrawl_geometry::{Point, Pose};
 use pairtrawl_model::PairTrajectory;
 
@@ -58,10 +58,11 @@ impl Iterate {
         [self.stages[i][3 * robot], self.stages[i][3 * robot + 1]]
     }
 
+    /// The line between the robots at waypoints `i` and `i + 1`.
     #[inline]
-    pub fn rung(&self, i: usize) -> [f64; RUNG] {
-        let z = &self.stages[i];
-        [z[0], z[1], z[3], z[4]]
+    pub fn quad(&self, i: usize) -> [f64; QUAD] {
+        let (a, b) = (&self.stages[i], &self.stages[i + 1]);
+        [a[0], a[1], a[3], a[4], b[0], b[1], b[3], b[4]]
     }
 
     /// Position of robot 0 or 1.

@@ -33,15 +33,18 @@ mod newton;
 mod optimize;
 mod pieces;
 mod problem;
+mod reinforce;
 mod row;
+mod shortfalls;
 mod step;
 mod term;
 
 pub use alternating::{Alternation, FirstLength, alternate};
 pub use cost::evaluate;
 pub use interior_point::{Residuals, Settings};
-pub use optimize::{ShrunkMargin, Solution, Violation, optimize, optimize_from, optimize_watched};
+pub use optimize::{Solution, optimize, optimize_from, optimize_watched};
 pub use problem::{Problem, Reserve, SeparationRule};
+pub use shortfalls::{ShrunkMargin, Violation};
 
 #[cfg(test)]
 mod tests;

@@ -2,12 +2,12 @@
 
 use crate::active::ActiveSet;
 use crate::filter::Point;
-use crate::interior_point::{State, Workspace};
+use crate::interior_point::{Residuals, State, Workspace};
 use crate::iterate::{Iterate, STAGE};
 use crate::merit::Merit;
 use crate::problem::Problem;
-use crate::row::Row;
-use crate::step::STEP_BOUNDS;
+use crate::row::{Row, larger};
+use crate::step::{STEP_BOUNDS, Step};
 use crate::term::Term;
 
 const SHORTEST_STEP: f64 = 1e-6;
@@ -41,7 +41,7 @@ impl Workspace {
                 break merit;
             }
         };
-        let taken = alpha.max(SHORTEST_STEP);
+        let taken = alpha.max(SHORTEST_STEP.min(longest));
         let merit = if taken == alpha {
             reached
         } else {
@@ -51,16 +51,17 @@ impl Workspace {
         };
         state.promise = slope.abs();
         std::mem::swap(&mut state.x, &mut self.trial);
-        state.set.advance(taken);
+        state.residuals = state.set.advance(taken, mu);
         state.merit = merit;
     }
 }
 
 impl ActiveSet {
-    /// Merit of the point at which the rows stand.
-    pub fn merit(&mut self, problem: &Problem, x: &Iterate) -> Merit {
+    /// Merit and residuals of the point at which the rows stand.
+    pub fn measure(&mut self, problem: &Problem, x: &Iterate, mu: f64) -> (Merit, Residuals) {
         each_row_mut!(self, row, { row.rest() });
-        self.trial_merit(problem, x, 0.0)
+        let merit = self.trial_merit(problem, x, 0.0);
+        (merit, self.advance(0.0, mu))
     }
 
     /// Merit at a trial point, slacks stepped by `alpha`; rows keep the values of their constraints there.
@@ -70,14 +71,17 @@ impl ActiveSet {
             ..Merit::default()
         };
         let bounds = problem.step_bounds();
-        for (at, rows) in self.steps.chunks_exact_mut(STEP_BOUNDS).enumerate() {
+        let steps = self.steps.chunks_exact_mut(STEP_BOUNDS);
+        for ((at, rows), frame) in steps.enumerate().zip(&mut self.frames) {
             let step = x.step(at / 2, at % 2);
+            *frame = step;
             merit.theta += step.across.abs();
             merit.cost += problem.distance_weight() * step.along;
             for (row, bound) in rows.iter_mut().zip(&bounds) {
                 merit.add(row, alpha, bound.value(&step));
             }
         }
+        let turning = merit.elastic;
         for pair in &mut self.pairs {
             let stage = pair.stage as usize;
             let z = x.pair(stage);
@@ -95,27 +99,39 @@ impl ActiveSet {
                 problem.point_term(&point.kind, |t| t.value(&z)),
             );
         }
-        for rung in &mut self.rungs {
-            let z = x.rung(rung.stage as usize);
+        for quad in &mut self.quads {
+            let z = x.quad(quad.step as usize);
             merit.add(
-                &mut rung.row,
+                &mut quad.row,
                 alpha,
-                problem.rung_distance(rung.piece, rung.tier).value(&z),
+                problem.quad_distance(quad.piece, quad.tier).value(&z),
             );
         }
+        merit.violation = merit.elastic - turning;
         merit
     }
 
-    /// All rows at the last trial point.
-    fn advance(&mut self, alpha: f64) {
-        each_row_mut!(self, row, { row.advance(alpha) });
+    /// All rows go to the last trial point; how feasible and complementary they are there.
+    pub fn advance(&mut self, alpha: f64, mu: f64) -> Residuals {
+        let mut r = Residuals::default();
+        each_row_mut!(self, row, {
+            row.advance(alpha);
+            let (largest, products) = row.complementarity(mu);
+            r.complementarity = larger(r.complementarity, largest);
+            r.gap += products;
+            r.products += row.products();
+            r.primal = larger(r.primal, row.residual().abs());
+        });
+        let slip = |m: f64, step: &Step| m.max(step.across.abs());
+        r.primal = self.frames.iter().fold(r.primal, slip);
+        r
     }
 }
 
 impl Merit {
     #[inline]
     fn add<const K: usize>(&mut self, row: &mut Row<K>, alpha: f64, c: f64) {
-        row.trial = c;
+        row.c = c;
         let (s, e) = row.stepped(alpha, c);
         self.theta += (c - s + e).abs();
         row.add_to(self, s, e);

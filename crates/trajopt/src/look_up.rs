@@ -1,7 +1,7 @@
 //! What is near: objects and obstacles that a robot or the line between the robots may touch soon, and where the line passes
 //! over each object.
 
-use crate::active::{ActiveSet, PointKind, PointRow, RungRow, Tier};
+use crate::active::{ActiveSet, PointKind, PointRow, QuadRow, Tier};
 use crate::constraints::HalfPlane;
 use crate::iterate::Iterate;
 use crate::pieces::SEARCH_RADIUS;
@@ -10,11 +10,19 @@ use crate::row::Row;
 use crate::term::Term;
 
 /// Objects and obstacles are in play up to this far beyond the distance that is kept from them, m.
-const LOOK_AHEAD: f64 = 0.35;
+const LOOK_AHEAD: f64 = 0.2;
+/// What the net's line sweeps: obstacles in play up to this far. Robots keep farther away themselves, so that only what is
+/// nearer to the inside of the line comes so close.
+const NET_AHEAD: f64 = 0.2;
 /// Rows of the claim itself are in play up to this far, m.
 const CLAIM_AHEAD: f64 = 0.15;
 /// At most this many obstacle pieces a robot or line at a waypoint: the nearest ones.
 const MOST_PIECES: usize = 6;
+
+/// Waypoints between those that are tried first for the crossing of an object.
+const STRIDE: usize = 4;
+/// Waypoints by which a crossing moves at most from one look to the next.
+const FARTHEST_CROSSING: usize = 100;
 
 /// Lists that are filled anew for every waypoint.
 #[derive(Default)]
@@ -22,6 +30,8 @@ struct Scratch {
     candidates: Vec<u32>,
     /// Distances and ids.
     near: Vec<(f64, u32)>,
+    /// Waypoints at which the rung passes over an object, ascending, and the object.
+    crossings: Vec<(usize, u32)>,
 }
 
 impl ActiveSet {
@@ -31,18 +41,24 @@ impl ActiveSet {
         // Room for a few more rows than before: growing lists cost more than looking things up.
         let room = |rows: usize| rows + rows / 4;
         let points = Vec::with_capacity(room(self.points.len()));
-        let rungs = Vec::with_capacity(room(self.rungs.len()));
+        let quads = Vec::with_capacity(room(self.quads.len()));
         let old_points = std::mem::replace(&mut self.points, points);
-        let old_rungs = std::mem::replace(&mut self.rungs, rungs);
+        let old_quads = std::mem::replace(&mut self.quads, quads);
         let mut scratch = Scratch::default();
+        scratch
+            .crossings
+            .extend(self.crossings.iter().copied().zip(0..));
+        scratch.crossings.sort_unstable();
         for i in 1..x.stages.len() - 1 {
             for robot in 0..2 {
                 self.look_up_point(problem, x, (i, robot), weight, mu, &mut scratch);
             }
-            self.look_up_rung(problem, x, i, weight, mu, &mut scratch);
+        }
+        for i in 0..x.stages.len() - 1 {
+            self.look_up_quad(problem, x, i, weight, mu, &mut scratch);
         }
         carry_over(&mut self.points, &old_points, PointRow::key, |p| &mut p.row);
-        carry_over(&mut self.rungs, &old_rungs, RungRow::key, |r| &mut r.row);
+        carry_over(&mut self.quads, &old_quads, QuadRow::key, |q| &mut q.row);
     }
 
     fn look_up_point(
@@ -52,7 +68,9 @@ impl ActiveSet {
         (stage, robot): (usize, u8),
         weight: f64,
         mu: f64,
-        Scratch { near, .. }: &mut Scratch,
+        Scratch {
+            near, crossings, ..
+        }: &mut Scratch,
     ) {
         let p = x.position(stage, robot.into());
         let value = |kind: &PointKind| problem.point_term(kind, |t| t.value(&p.into()));
@@ -74,7 +92,7 @@ impl ActiveSet {
                 }
             }
         };
-        for id in 0..problem.objects.len() as u32 {
+        for &id in problem.object_index.near(p) {
             let reach = problem.object_keep(id, Tier::Margin) + LOOK_AHEAD;
             if (p - problem.objects[id as usize].0).norm_squared() < reach * reach {
                 push_tiers(&|tier| PointKind::Object(id, tier));
@@ -93,11 +111,11 @@ impl ActiveSet {
         for &id in keep_nearest(near) {
             push_tiers(&|tier| PointKind::Piece(id, tier));
         }
-        for (id, &crossing) in self.crossings.iter().enumerate() {
-            if crossing == stage {
-                let kind = PointKind::Side(id as u32, side_plane(problem, x, stage, id, robot));
-                push(kind, value(&kind), weight);
-            }
+        let after = &crossings[crossings.partition_point(|c| c.0 < stage)..];
+        for &(_, id) in after.iter().take_while(|c| c.0 == stage) {
+            let plane = side_plane(problem, x, stage, id as usize, robot);
+            let kind = PointKind::Side(id, plane);
+            push(kind, value(&kind), weight);
         }
         for side in 0..4 {
             let kind = PointKind::Area(side);
@@ -109,18 +127,21 @@ impl ActiveSet {
         self.points[first..].sort_by_key(PointRow::key);
     }
 
-    fn look_up_rung(
+    fn look_up_quad(
         &mut self,
         problem: &Problem,
         x: &Iterate,
-        stage: usize,
+        step: usize,
         weight: f64,
         mu: f64,
-        Scratch { candidates, near }: &mut Scratch,
+        Scratch {
+            candidates, near, ..
+        }: &mut Scratch,
     ) {
         near.clear();
-        let rung = x.rung(stage);
-        let (l, r) = (x.position(stage, 0), x.position(stage, 1));
+        let quad = x.quad(step);
+        let (l, r) = (x.position(step, 0), x.position(step, 1));
+        let (to_l, to_r) = (x.position(step + 1, 0), x.position(step + 1, 1));
         candidates.clear();
         // Near enough to each other that what is near the line is found from one of them.
         let stretches = (l.distance(r) / SEARCH_RADIUS).ceil().max(1.0);
@@ -131,21 +152,22 @@ impl ActiveSet {
         candidates.sort_unstable();
         candidates.dedup();
         for &mut id in candidates {
-            let reach = problem.reserve.net_clearance + LOOK_AHEAD;
+            let reach =
+                problem.reserve.net_clearance + NET_AHEAD + l.distance(to_l).max(r.distance(to_r));
             if problem.pieces.get(id).may_be_near(l, r, reach) {
-                let c = problem.rung_distance(id, Tier::Margin).value(&rung);
-                if c < LOOK_AHEAD {
+                let c = problem.quad_distance(id, Tier::Margin).value(&quad);
+                if c < NET_AHEAD {
                     near.push((c, id));
                 }
             }
         }
         for &piece in keep_nearest(near) {
             for tier in Tier::BOTH {
-                let c = problem.rung_distance(piece, tier).value(&rung);
+                let c = problem.quad_distance(piece, tier).value(&quad);
                 if tier == Tier::Margin || c < CLAIM_AHEAD {
                     let row = Row::centered(c, weight * tier.price(), mu);
-                    self.rungs.push(RungRow {
-                        stage: stage as u32,
+                    self.quads.push(QuadRow {
+                        step: step as u32,
                         piece,
                         tier,
                         row,
@@ -161,12 +183,6 @@ impl ActiveSet {
         let first = self.crossings.is_empty();
         for (id, &(object, _)) in problem.objects.iter().enumerate() {
             let n = x.stages.len();
-            let window = if first {
-                1..n - 1
-            } else {
-                let k = self.crossings[id];
-                k.saturating_sub(n / 8).max(1)..(k + n / 8).min(n - 1)
-            };
             let miss = |i: usize| {
                 let (l, r) = (x.position(i, 0), x.position(i, 1));
                 let rung = l - r;
@@ -175,13 +191,19 @@ impl ActiveSet {
                 let ahead = (object - r).cross(rung).abs() / length;
                 ahead + 4.0 * (-along).max(along - length).max(0.0)
             };
-            let best = window
-                .min_by(|&a, &b| miss(a).total_cmp(&miss(b)))
-                .unwrap_or(1);
+            let nearest = |window: &mut dyn Iterator<Item = usize>| {
+                window
+                    .min_by(|&a, &b| miss(a).total_cmp(&miss(b)))
+                    .unwrap_or(1)
+            };
+            let around =
+                |k: usize, reach: usize| k.saturating_sub(reach).max(1)..(k + reach + 1).min(n - 1);
             if first {
-                self.crossings.push(best);
+                let coarse = nearest(&mut (1..n - 1).step_by(STRIDE));
+                self.crossings.push(nearest(&mut around(coarse, STRIDE)));
             } else {
-                self.crossings[id] = best;
+                let reach = (n / 8).min(FARTHEST_CROSSING);
+                self.crossings[id] = nearest(&mut around(self.crossings[id], reach));
             }
         }
     }

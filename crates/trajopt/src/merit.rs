@@ -9,6 +9,8 @@ pub(crate) struct Merit {
     pub cost: f64,
     /// Cost of elastic violations.
     pub elastic: f64,
+    /// That of all rows but those of turning, whose violation is no violation but its cost.
+    pub violation: f64,
     /// Of all slacks and violations.
     pub logarithms: LogarithmSum,
 }

@@ -7,6 +7,7 @@ use crate::linear::BandMatrix;
 use crate::row::Row;
 use crate::step::{Coordinate, STEP_BOUNDS, TURN_COST};
 use crate::term::PAIR;
+use std::ops::Range;
 
 /// Factorization and direction.
 #[derive(Clone, Debug, Default)]
@@ -17,6 +18,11 @@ pub(crate) struct Newton {
     /// Of the net length.
     pub length: f64,
     arrow: Vec<f64>,
+    /// New multipliers of the equalities.
+    pub lambda: Vec<f64>,
+    /// Longest primal step that the rows of each stage, and of the step from it, allow.
+    pub limits: Vec<f64>,
+    shift: f64,
 }
 
 const GREATEST_SHIFT: f64 = 1e10;
@@ -28,17 +34,19 @@ impl Newton {
     pub fn solve(&mut self, system: &System, free_length: bool, least_shift: f64) -> bool {
         let mut shift = least_shift;
         while shift < GREATEST_SHIFT {
-            self.factor.copy_shifted(&system.matrix, shift);
+            self.factor
+                .copy_block(&system.matrix, 0..system.gradient.len(), shift);
+            self.shift = shift;
             if self.factor.factorize(SMALLEST_PIVOT).is_ok() {
                 self.direction.clear();
                 self.direction.extend(system.gradient.iter().map(|g| -g));
-                self.factor.solve(&mut self.direction);
                 self.length = 0.0;
                 if !free_length {
+                    self.factor.solve([&mut self.direction]);
                     return self.direction.iter().all(|d| d.is_finite());
                 }
                 self.arrow.clone_from(&system.arrow);
-                self.factor.solve(&mut self.arrow);
+                self.factor.solve([&mut self.direction, &mut self.arrow]);
                 let schur = system.length.diagonal + shift - dot(&system.arrow, &self.arrow);
                 if schur > SMALLEST_PIVOT {
                     self.length =
@@ -54,6 +62,29 @@ impl Newton {
         false
     }
 
+    /// Solves for a range of inner stages alone, all else staying as it is. False when that part of the matrix is not positive
+    /// definite.
+    pub fn solve_part(&mut self, system: &System, stages: Range<usize>) -> bool {
+        let block = (stages.start - 1) * STAGE..(stages.end - 1) * STAGE;
+        self.factor
+            .copy_block(&system.matrix, block.clone(), self.shift);
+        if self.factor.factorize(SMALLEST_PIVOT).is_err() {
+            return false;
+        }
+        self.arrow.clear();
+        let columns = system.gradient[block.clone()]
+            .iter()
+            .zip(&system.arrow[block.clone()]);
+        self.arrow
+            .extend(columns.map(|(g, a)| -g - a * self.length));
+        system
+            .matrix
+            .subtract_outside(block.clone(), &self.direction, &mut self.arrow);
+        self.factor.solve([&mut self.arrow]);
+        self.direction[block].copy_from_slice(&self.arrow);
+        self.arrow.iter().all(|d| d.is_finite())
+    }
+
     /// Slope of the objective along the direction.
     pub fn objective_slope(&self, system: &System) -> f64 {
         dot(&system.objective, &self.direction) + system.length.objective * self.length
@@ -67,53 +98,84 @@ impl Newton {
         std::array::from_fn(|v| self.direction[b + v])
     }
 
-    /// Steps of all rows, the longest primal step length, and new multipliers of the equalities (they always take the full step).
-    pub fn recover(&self, state: &mut State, system: &System, frozen: Option<usize>) -> f64 {
-        let count = state.x.stages.len();
-        let mu = state.mu;
-        let mut longest = 1.0;
+    /// Longest primal step that all rows and the net length allow.
+    pub fn longest(&self, state: &State) -> f64 {
         // The net keeps half of its length in a step: what is convex in it is so only for positive lengths.
-        if self.length < 0.0 {
-            longest = (-0.5 * state.x.net_length / self.length).min(1.0);
-        }
-        for (at, rows) in state.set.steps.chunks_exact_mut(STEP_BOUNDS).enumerate() {
-            let (i, k) = (at / 2, 3 * (at % 2));
+        let of_length = if self.length < 0.0 {
+            (-0.5 * state.x.net_length / self.length).min(1.0)
+        } else {
+            1.0
+        };
+        self.limits.iter().fold(of_length, |m, &l| m.min(l))
+    }
+
+    /// What the direction means for all rows, and for the multipliers of the equalities (they always take the full step).
+    pub fn recover(&mut self, state: &mut State, frozen: Option<usize>) {
+        let count = state.x.stages.len();
+        self.lambda.clone_from(&state.lambda);
+        self.limits.resize(count, 1.0);
+        self.recover_part(state, frozen, 0..count);
+    }
+
+    /// As [`Self::recover`] for the rows of a range of stages and of the steps from them.
+    pub fn recover_part(&mut self, state: &mut State, frozen: Option<usize>, part: Range<usize>) {
+        let (count, mu, set) = (state.x.stages.len(), state.mu, &mut state.set);
+        self.limits[part.clone()].fill(1.0);
+        let steps = part.start..part.end.min(count - 1);
+        for (i, robot) in steps.flat_map(|i| [(i, 0), (i, 1)]) {
+            let at = 2 * i + robot;
+            let k = 3 * robot;
             let (a, b) = (self.stage(i, count), self.stage(i + 1, count));
-            let step = &system.steps[at];
+            let step = &set.frames[at];
             let (along, across, turn) = step.change(&a[k..k + 3], &b[k..k + 3]);
+            let rows = &mut set.steps[at * STEP_BOUNDS..(at + 1) * STEP_BOUNDS];
             for (kind, row) in rows.iter_mut().enumerate() {
                 let change = if coordinate_of(kind) == Coordinate::Along {
                     along
                 } else {
                     turn
                 };
-                finish(row, mu, &[change], &mut longest);
+                finish(row, mu, &[change], &mut self.limits[i]);
             }
-            if frozen == Some(at % 2) {
-                continue;
+            if frozen != Some(robot) {
+                self.lambda[at] = state.lambda[at] + (step.across + across) / DUAL_REGULARIZATION;
             }
-            state.lambda[at] += (step.across + across) / DUAL_REGULARIZATION;
         }
-        for pair in &mut state.set.pairs {
-            let d = self.stage(pair.stage as usize, count);
+        for pair in within(&mut set.pairs, &part, |p| p.stage) {
+            let i = pair.stage as usize;
+            let d = self.stage(i, count);
             let local: [f64; PAIR] = [d[0] - d[3], d[1] - d[4], d[2], d[5], self.length];
-            finish(&mut pair.row, mu, &local, &mut longest);
+            finish(&mut pair.row, mu, &local, &mut self.limits[i]);
         }
-        for point in &mut state.set.points {
-            let d = self.stage(point.stage as usize, count);
+        for point in within(&mut set.points, &part, |p| p.stage) {
+            let i = point.stage as usize;
+            let d = self.stage(i, count);
             let k = 3 * point.robot as usize;
-            finish(&mut point.row, mu, &[d[k], d[k + 1]], &mut longest);
+            let local = [d[k], d[k + 1]];
+            finish(&mut point.row, mu, &local, &mut self.limits[i]);
         }
-        for rung in &mut state.set.rungs {
-            let d = self.stage(rung.stage as usize, count);
-            finish(&mut rung.row, mu, &[d[0], d[1], d[3], d[4]], &mut longest);
+        for quad in within(&mut set.quads, &part, |q| q.step) {
+            let i = quad.step as usize;
+            let (a, b) = (self.stage(i, count), self.stage(i + 1, count));
+            let local = [a[0], a[1], a[3], a[4], b[0], b[1], b[3], b[4]];
+            finish(&mut quad.row, mu, &local, &mut self.limits[i]);
         }
-        longest
     }
 }
 
+/// The rows of a range of stages, out of a list in the order of stages.
+pub(crate) fn within<'a, T>(
+    rows: &'a mut [T],
+    part: &Range<usize>,
+    stage: impl Fn(&T) -> u32,
+) -> &'a mut [T] {
+    let first = rows.partition_point(|r| (stage(r) as usize) < part.start);
+    let end = rows.partition_point(|r| (stage(r) as usize) < part.end);
+    &mut rows[first..end]
+}
+
 /// The coordinate that a bound of a step is on, by its index.
-fn coordinate_of(kind: usize) -> Coordinate {
+pub(crate) fn coordinate_of(kind: usize) -> Coordinate {
     const { assert!(TURN_COST == 4 && STEP_BOUNDS == 5) };
     if kind < 2 {
         Coordinate::Along
@@ -124,7 +186,7 @@ fn coordinate_of(kind: usize) -> Coordinate {
 
 #[inline]
 fn finish<const K: usize>(row: &mut Row<K>, mu: f64, local: &[f64; K], longest: &mut f64) {
-    row.recover(mu, row.residual(), inner(&row.gradient, local));
+    row.recover(mu, inner(&row.gradient, local));
     row.limit_step(longest);
 }
 

@@ -20,7 +20,9 @@ pub struct Problem {
     /// d_max, m; `None`: a variable.
     pub net_length: Option<f64>,
     /// Object centers with the distance that axle centers keep from them (without the margin), m.
-    pub objects: Vec<(Point, f64)>,
+    pub(crate) objects: Vec<(Point, f64)>,
+    /// The same as discs, to find those near a point.
+    pub(crate) object_index: PieceIndex,
     /// Convex cover of the obstacles.
     pub(crate) pieces: PieceIndex,
     /// How much is kept in reserve beyond each claim.
@@ -68,6 +70,15 @@ impl Problem {
     /// The problem of a scene with a net of `net_length` (`None`: to be chosen) among convex obstacles.
     pub fn new(scene: &Scene, net_length: Option<f64>, obstacles: &[Convex]) -> Self {
         let robot = scene.robot;
+        let objects: Vec<(Point, f64)> = scene
+            .objects
+            .iter()
+            .map(|o| (o.position, o.footprint_radius() + robot.radius))
+            .collect();
+        let discs: Vec<Convex> = objects
+            .iter()
+            .map(|&(center, radius)| Convex::Circle { center, radius })
+            .collect();
         Self {
             start: scene.start,
             end: scene.end,
@@ -75,11 +86,8 @@ impl Problem {
             planner: scene.planner,
             area: scene.area,
             net_length,
-            objects: scene
-                .objects
-                .iter()
-                .map(|o| (o.position, o.footprint_radius() + robot.radius))
-                .collect(),
+            object_index: PieceIndex::new(&discs, &scene.area),
+            objects,
             pieces: PieceIndex::new(obstacles, &scene.area),
             reserve: Reserve {
                 clearance: scene.planner.clearance,

@@ -9,6 +9,13 @@ use crate::merit::Merit;
 /// Positive quantities keep the rest of their distance to zero in a step.
 const FRACTION_TO_BOUNDARY: f64 = 0.99;
 
+/// The multiplier of a bound that a step would run into too early rises by this many of its Newton steps: one is what the
+/// bound's own stiffness asks for, and it has to stand up to that of everything else.
+const RAISE: f64 = 4.0;
+
+/// Least slack of a row at a start that is presumed to be nearly optimal, m or rad.
+const LEAST_SLACK: f64 = 1e-5;
+
 /// The longest step, at most 1, in which a positive value does not lose more than its share.
 #[inline]
 fn longest_step(value: f64, change: f64) -> f64 {
@@ -17,6 +24,12 @@ fn longest_step(value: f64, change: f64) -> f64 {
     } else {
         1.0
     }
+}
+
+/// The larger of two numbers; unlike `f64::max` a single instruction, since NaN need not be told from a number here.
+#[inline]
+pub(crate) fn larger(a: f64, b: f64) -> f64 {
+    if a > b { a } else { b }
 }
 
 /// The state of a row.
@@ -30,10 +43,8 @@ pub struct Row<const K: usize> {
     pub e: f64,
     /// Multiplier.
     pub z: f64,
-    /// The constraint's value at the iterate.
+    /// The constraint's value at the iterate, or at the last trial point.
     pub c: f64,
-    /// Its value at the last trial point.
-    pub trial: f64,
     /// Its gradient at the iterate, in the row's local coordinates.
     pub gradient: [f64; K],
     /// Directions of the last Newton step.
@@ -42,10 +53,12 @@ pub struct Row<const K: usize> {
     pub de: f64,
     /// See `ds`.
     pub dz: f64,
+    /// Its part of the condensed system.
+    condensed: Condensed,
 }
 
 /// What a row contributes to the condensed system.
-#[derive(Clone, Copy)]
+#[derive(Clone, Copy, Debug, Default)]
 pub struct Condensed {
     /// Weight of `grad grad^T`.
     pub sigma: f64,
@@ -62,11 +75,11 @@ impl<const K: usize> Row<K> {
             e: 0.0,
             z: 0.0,
             c,
-            trial: c,
             gradient: [0.0; K],
             ds: 0.0,
             de: 0.0,
             dz: 0.0,
+            condensed: Condensed::default(),
         };
         row.center(mu);
         row
@@ -76,7 +89,7 @@ impl<const K: usize> Row<K> {
     pub fn center(&mut self, mu: f64) {
         let (c, w) = (self.c, self.weight);
         if w.is_finite() {
-            let root = (c * w).hypot(2.0 * mu) + 2.0 * mu;
+            let root = (c * w * c * w + 4.0 * mu * mu).sqrt() + 2.0 * mu;
             if c >= 0.0 {
                 self.z = 2.0 * mu * w / (root + c * w);
                 self.e = mu / (w - self.z);
@@ -93,6 +106,15 @@ impl<const K: usize> Row<K> {
         }
     }
 
+    /// A start for a point that is nearly optimal: slack as the constraint has it and hardly any violation, so that what is
+    /// violated shows as a residual for the Newton steps to mend. (On the central path a constraint at its bound has half of
+    /// `weight` for a multiplier, far more than it is worth.)
+    pub fn presume_met(&mut self, mu: f64) {
+        self.s = self.c.max(LEAST_SLACK);
+        self.z = (mu / self.s).min(0.5 * self.weight);
+        self.e = mu / self.y();
+    }
+
     /// Multiplier of `e >= 0`.
     pub fn y(&self) -> f64 {
         self.weight - self.z
@@ -103,44 +125,30 @@ impl<const K: usize> Row<K> {
         self.c - self.s + self.e
     }
 
-    /// Weight of `grad grad^T` in the condensed matrix.
+    /// The row's part of the condensed Newton system at barrier parameter `mu`; the row remembers it for [`Self::recover`].
+    ///
+    /// A hard row has `y` infinite and `e` zero, for which the same formulas hold.
     #[inline]
-    pub fn sigma(&self) -> f64 {
-        let flex = self.s / self.z;
-        1.0 / if self.weight.is_finite() {
-            flex + self.e / self.y()
-        } else {
-            flex
-        }
-    }
-
-    /// The row's part of the condensed Newton system at barrier parameter `mu`, for a residual that may carry a
-    /// second-order correction.
-    #[inline]
-    pub fn condense(&self, mu: f64, residual: f64) -> Condensed {
-        let sigma = self.sigma();
-        let mut rho = mu / self.z - self.s - residual;
-        if self.weight.is_finite() {
-            rho += self.e - mu / self.y();
-        }
-        Condensed {
-            sigma,
-            force: self.z + sigma * rho,
-        }
+    pub fn condense(&mut self, mu: f64) -> Condensed {
+        let (flex, give) = (1.0 / self.z, 1.0 / self.y());
+        let sigma = 1.0 / (self.s * flex + self.e * give);
+        let force = self.z + sigma * (mu * (flex - give) - self.c);
+        self.condensed = Condensed { sigma, force };
+        self.condensed
     }
 
     /// Computes `ds`, `de`, `dz` from the change `dc` of the linearized constraint.
     #[inline]
-    pub fn recover(&mut self, mu: f64, residual: f64, dc: f64) {
-        let Condensed { sigma, force } = self.condense(mu, residual);
-        self.dz = force - self.z - sigma * dc;
-        self.ds = mu / self.z - self.s - self.s / self.z * self.dz;
-        self.de = if self.weight.is_finite() {
-            let y = self.y();
-            mu / y - self.e + self.e / y * self.dz
+    pub fn recover(&mut self, mu: f64, dc: f64) {
+        self.dz = self.condensed.force - self.z - self.condensed.sigma * dc;
+        // The smaller of slack and violation by its own product, which keeps its digits; the other one by the sum.
+        if self.s < self.e {
+            self.ds = (mu - self.s * self.dz) / self.z - self.s;
+            self.de = self.ds - dc - self.residual();
         } else {
-            0.0
-        };
+            self.de = (mu + self.e * self.dz) / self.y() - self.e;
+            self.ds = self.residual() + dc + self.de;
+        }
     }
 
     /// Shrinks the common step length so that the slack keeps a share of its distance to zero.
@@ -152,12 +160,36 @@ impl<const K: usize> Row<K> {
         *longest = longest.min(longest_step(self.s, self.ds));
     }
 
+    /// Takes the multiplier's step at once when the slack would end the primal step before `limit`; returns what that adds
+    /// to the condensed system.
+    ///
+    /// A slack that shrinks too fast belongs to a bound that the Newton step does not feel yet: its multiplier is still small.
+    #[inline]
+    pub fn reinforce(&mut self, mu: f64, limit: f64) -> Option<Condensed> {
+        let mut own = 1.0;
+        self.limit_step(&mut own);
+        if own >= limit || self.dz <= 0.0 {
+            return None;
+        }
+        let before = self.condensed;
+        let raise = RAISE * self.dz;
+        self.z += longest_step(self.y(), -raise) * raise;
+        let after = self.condense(mu);
+        Some(Condensed {
+            sigma: after.sigma - before.sigma,
+            force: after.force - before.force,
+        })
+    }
+
     /// Slack and violation after a primal step of length `alpha` to where the constraint has value `c`: slack that the
     /// constraint does not need is given back at once.
     #[inline]
     pub fn stepped(&self, alpha: f64, c: f64) -> (f64, f64) {
-        let e = (self.e + alpha * self.de).max((1.0 - FRACTION_TO_BOUNDARY) * self.e);
-        ((self.s + alpha * self.ds).max(c + e), e)
+        let e = larger(
+            self.e + alpha * self.de,
+            (1.0 - FRACTION_TO_BOUNDARY) * self.e,
+        );
+        (larger(self.s + alpha * self.ds, c + e), e)
     }
 
     /// Forgets the direction.
@@ -168,12 +200,8 @@ impl<const K: usize> Row<K> {
     /// Takes the step to the last trial point, and as much of the dual step as keeps `z` and `y` positive.
     #[inline]
     pub fn advance(&mut self, alpha: f64) {
-        self.c = self.trial;
         (self.s, self.e) = self.stepped(alpha, self.c);
-        let mut dual = longest_step(self.z, self.dz);
-        if self.weight.is_finite() {
-            dual = dual.min(longest_step(self.y(), -self.dz));
-        }
+        let dual = longest_step(self.z, self.dz).min(longest_step(self.y(), -self.dz));
         self.z += dual * self.dz;
     }
 
@@ -199,13 +227,19 @@ impl<const K: usize> Row<K> {
         }
     }
 
+    /// How many complementarity products there are.
+    #[inline]
+    pub fn products(&self) -> usize {
+        1 + usize::from(self.weight.is_finite())
+    }
+
     /// Greatest deviation of the complementarity products from `mu`, and their sum.
     #[inline]
     pub fn complementarity(&self, mu: f64) -> (f64, f64) {
         let sz = self.s * self.z;
         if self.weight.is_finite() {
             let ey = self.e * self.y();
-            ((sz - mu).abs().max((ey - mu).abs()), sz + ey)
+            (larger((sz - mu).abs(), (ey - mu).abs()), sz + ey)
         } else {
             ((sz - mu).abs(), sz)
         }

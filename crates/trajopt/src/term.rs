@@ -30,10 +30,12 @@ impl<const K: usize> Jet<K> {
 
 /// A twice differentiable scalar function of `K` local coordinates: a cost, or a constraint `c >= 0`.
 ///
-/// `value` and `jet` are written apart, so that a derivative check compares two things.
+/// `value` and the derivatives are written apart, so that a derivative check compares two things.
 pub trait Term<const K: usize> {
     /// The value alone.
     fn value(&self, z: &[f64; K]) -> f64;
+    /// The value with first derivatives, which is all that a constraint needs in every iteration.
+    fn slope(&self, z: &[f64; K]) -> (f64, [f64; K]);
     /// The value with first and second derivatives.
     fn jet(&self, z: &[f64; K]) -> Jet<K>;
 }
@@ -42,5 +44,5 @@ pub trait Term<const K: usize> {
 pub const PAIR: usize = 5;
 /// Local coordinates of one robot at one waypoint: `x, y`, m.
 pub const POINT: usize = 2;
-/// Local coordinates of the line between the robots at one waypoint: `lx, ly, rx, ry`, m.
-pub const RUNG: usize = 4;
+/// Local coordinates of the line between the robots at both ends of a step: `lx, ly, rx, ry`, then those of the next waypoint, m.
+pub const QUAD: usize = 8;

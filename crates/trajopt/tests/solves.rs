@@ -249,6 +249,33 @@ fn fixing_the_net_at_its_best_length_changes_nothing() {
 }
 
 #[test]
+fn a_warm_start_from_a_plan_leads_to_that_plan_soon() {
+    for (difficulty, seed) in [(2, 1), (6, 2), (9, 1)] {
+        let made = witness(difficulty, seed, 120);
+        let problem = problem(&made.scene, Some(made.net_length));
+        let cold = optimize(&problem, &made.witness, &Settings::default());
+        let warm = optimize(&problem, &cold.trajectory, &Settings::warm());
+        assert_eq!(warm.status, SolverStatus::Converged);
+        let cost = |s: &Solution| evaluate(&made.scene, &s.trajectory, s.net_length).total();
+        let (a, b) = (cost(&cold), cost(&warm));
+        assert!(b <= a * (1.0 + 3e-4), "{a} cold, {b} warm");
+        assert!(
+            warm.iterations < cold.iterations,
+            "{} warm, {} cold",
+            warm.iterations,
+            cold.iterations
+        );
+        // A scene that changed a little: an object moved by a centimeter.
+        let mut scene = made.scene.clone();
+        scene.objects[0].position.x += 0.01;
+        let changed = self::problem(&scene, Some(made.net_length));
+        let again = optimize(&changed, &cold.trajectory, &Settings::warm());
+        assert_eq!(again.status, SolverStatus::Converged);
+        assert!(certify(&scene, again.net_length, &again.trajectory).is_valid());
+    }
+}
+
+#[test]
 fn a_frozen_robot_stays_where_it_is_while_the_other_gains() {
     let made = witness(4, 1, 120);
     for frozen in [0, 1] {
@@ -274,22 +301,53 @@ fn a_frozen_robot_stays_where_it_is_while_the_other_gains() {
     }
 }
 
+/// A pair that drives straight on, a disc in the way of the line between them; `None`: nothing in the way.
+fn disc_scene(disc: Option<(Point, f64)>) -> (Scene, PairTrajectory) {
+    let (mut scene, start) = gap_scene(1.9);
+    scene.obstacles = disc
+        .map(|(center, radius)| Obstacle::Circle { center, radius })
+        .into_iter()
+        .collect();
+    (scene, start)
+}
+
 #[test]
 fn a_disc_between_the_robots_is_not_overlooked() {
-    // The line between the robots sweeps over it, far from either.
-    let (mut scene, start) = gap_scene(1.9);
-    scene.obstacles = vec![Obstacle::Circle {
-        center: Point::new(2.0, 0.0),
-        radius: 0.05,
-    }];
+    // The line between the robots sweeps over it, far from either. Waypoints are 4 cm apart: the small ones fit between two
+    // lines, on which nothing is seen of them.
+    let between = 0.5 * (2.0 + 4.0 * 50.0 / 99.0);
+    for (center, radius) in [
+        (Point::new(2.0, 0.0), 0.05),
+        (Point::new(2.0, 0.0), 0.01),
+        (Point::new(between, 0.1), 0.01),
+        (Point::new(2.0, -0.2), 2e-3),
+    ] {
+        let (scene, start) = disc_scene(Some((center, radius)));
+        for net_length in [Some(1.3), None] {
+            let problem = problem(&scene, net_length);
+            let solution = optimize(&problem, &start, &Settings::default());
+            let certificate = certify(&scene, solution.net_length, &solution.trajectory);
+            let at = format!("{center:?}, radius {radius}: {:?}", solution.status);
+            if certificate.is_valid() {
+                assert_eq!(solution.status, SolverStatus::Converged, "{at}");
+            } else {
+                assert_ne!(solution.status, SolverStatus::Converged, "{at}");
+                assert_named(&scene, &solution, &["net_encloses_no_obstacle"]);
+                assert_eq!(solution.violations[0].subject, Some(0), "{at}");
+            }
+        }
+    }
+}
+
+#[test]
+fn a_small_disc_beside_the_way_is_passed_with_all_of_the_net() {
+    // Just within the band that the straight way sweeps, by the left robot's path: the pair swerves.
+    let (scene, start) = disc_scene(Some((Point::new(2.0, 0.41), 0.01)));
+    let straight = certify(&scene, 1.3, &start);
+    assert!(!straight.is_valid(), "the straight way meets it");
     let problem = problem(&scene, Some(1.3));
     let solution = optimize(&problem, &start, &Settings::default());
-    let certificate = certify(&scene, solution.net_length, &solution.trajectory);
-    if certificate.is_valid() {
-        assert_eq!(solution.status, SolverStatus::Converged);
-    } else {
-        assert_ne!(solution.status, SolverStatus::Converged);
-        assert_named(&scene, &solution, &["net_encloses_no_obstacle"]);
-        assert_eq!(solution.violations[0].subject, Some(0));
-    }
+    assert_eq!(solution.status, SolverStatus::Converged);
+    let certificate = certify(&scene, 1.3, &solution.trajectory);
+    assert!(certificate.is_valid(), "{certificate:?}");
 }

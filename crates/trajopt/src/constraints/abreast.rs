@@ -10,35 +10,46 @@ pub struct Abreast {
 }
 
 impl Term<PAIR> for Abreast {
+    #[inline]
     fn value(&self, z: &[f64; PAIR]) -> f64 {
         let [rx, ry, ..] = *z;
         let phi = z[self.heading];
-        (ry * phi.cos() - rx * phi.sin()) / rx.hypot(ry) - self.cos_max_skew
+        (ry * phi.cos() - rx * phi.sin()) / (rx * rx + ry * ry).sqrt() - self.cos_max_skew
     }
 
+    #[inline]
+    fn slope(&self, z: &[f64; PAIR]) -> (f64, [f64; PAIR]) {
+        let [rx, ry, ..] = *z;
+        let (sin, cos) = z[self.heading].sin_cos();
+        let d2 = rx * rx + ry * ry;
+        let flat = 1.0 / d2.sqrt();
+        let (s, c) = ((ry * cos - rx * sin) * flat, (rx * cos + ry * sin) * flat);
+        let mut gradient = [-c * ry / d2, c * rx / d2, 0.0, 0.0, 0.0];
+        gradient[self.heading] = -c;
+        (s - self.cos_max_skew, gradient)
+    }
+
+    #[inline]
     fn jet(&self, z: &[f64; PAIR]) -> Jet<PAIR> {
         // With beta the angle of r, the constraint is sin(beta - phi) - cos(max_skew).
+        let (value, gradient) = self.slope(z);
         let [rx, ry, ..] = *z;
         let k = self.heading;
-        let (sin, cos) = z[k].sin_cos();
+        let (s, c) = (value + self.cos_max_skew, -gradient[k]);
         let d2 = rx * rx + ry * ry;
-        let d = d2.sqrt();
-        let s = (ry * cos - rx * sin) / d;
-        let c = (rx * cos + ry * sin) / d;
         let b = [-ry / d2, rx / d2];
         let bend = [
             [2.0 * rx * ry / (d2 * d2), (ry * ry - rx * rx) / (d2 * d2)],
             [(ry * ry - rx * rx) / (d2 * d2), -2.0 * rx * ry / (d2 * d2)],
         ];
-        let mut jet = Jet::constant(s - self.cos_max_skew);
+        let mut jet = Jet::constant(value);
+        jet.gradient = gradient;
         for i in 0..2 {
-            jet.gradient[i] = c * b[i];
             for j in 0..2 {
                 jet.hessian[i][j] = -s * b[i] * b[j] + c * bend[i][j];
             }
             jet.set_mixed(i, k, s * b[i]);
         }
-        jet.gradient[k] = -c;
         jet.hessian[k][k] = -s;
         jet
     }

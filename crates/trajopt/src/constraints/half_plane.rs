@@ -11,12 +11,18 @@ pub struct HalfPlane {
 }
 
 impl Term<POINT> for HalfPlane {
+    #[inline]
     fn value(&self, p: &[f64; POINT]) -> f64 {
         self.normal[0] * p[0] + self.normal[1] * p[1] - self.offset
     }
 
+    #[inline]
+    fn slope(&self, p: &[f64; POINT]) -> (f64, [f64; POINT]) {
+        (self.value(p), self.normal)
+    }
+
     fn jet(&self, p: &[f64; POINT]) -> Jet<POINT> {
-        let mut jet = Jet::constant(self.normal[0] * p[0] + self.normal[1] * p[1] - self.offset);
+        let mut jet = Jet::constant(self.value(p));
         jet.gradient = self.normal;
         jet
     }

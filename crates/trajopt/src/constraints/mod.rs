@@ -4,12 +4,12 @@ mod abreast;
 mod half_plane;
 mod net_reach;
 mod point_distance;
-mod rung_distance;
+mod quad_distance;
 mod separation;
 
 pub use abreast::Abreast;
 pub use half_plane::HalfPlane;
 pub use net_reach::NetReach;
 pub use point_distance::{CenterDistance, PointDistance};
-pub use rung_distance::RungDistance;
+pub use quad_distance::QuadDistance;
 pub use separation::{SeparationAbove, SeparationBelow};

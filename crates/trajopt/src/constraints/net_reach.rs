@@ -10,34 +10,47 @@ pub struct NetReach {
 }
 
 impl Term<PAIR> for NetReach {
+    #[inline]
     fn value(&self, &[rx, ry, phi_l, phi_r, d_max]: &[f64; PAIR]) -> f64 {
         let h = self.hitch;
         let (x, y) = (
             rx - h * (phi_l.cos() - phi_r.cos()),
             ry - h * (phi_l.sin() - phi_r.sin()),
         );
-        d_max - self.reserve - x.hypot(y)
+        d_max - self.reserve - (x * x + y * y).sqrt()
     }
 
+    #[inline]
+    fn slope(&self, &[rx, ry, phi_l, phi_r, d_max]: &[f64; PAIR]) -> (f64, [f64; PAIR]) {
+        let h = self.hitch;
+        let (sl, cl) = phi_l.sin_cos();
+        let (sr, cr) = phi_r.sin_cos();
+        let (x, y) = (rx - h * (cl - cr), ry - h * (sl - sr));
+        let reach = (x * x + y * y).sqrt();
+        let (ux, uy) = (x / reach, y / reach);
+        let left = h * (cl * uy - sl * ux);
+        let right = h * (sr * ux - cr * uy);
+        (d_max - self.reserve - reach, [-ux, -uy, left, right, 1.0])
+    }
+
+    #[inline]
     fn jet(&self, &[rx, ry, phi_l, phi_r, d_max]: &[f64; PAIR]) -> Jet<PAIR> {
         let h = self.hitch;
         let (sl, cl) = phi_l.sin_cos();
         let (sr, cr) = phi_r.sin_cos();
         let (x, y) = (rx - h * (cl - cr), ry - h * (sl - sr));
-        let reach = x.hypot(y);
+        let reach = (x * x + y * y).sqrt();
         let (ux, uy) = (x / reach, y / reach);
         // Columns of d(x, y)/dz for z = rx, ry, phi_l, phi_r.
         let columns = [[1.0, 0.0], [0.0, 1.0], [h * sl, -h * cl], [-h * sr, h * cr]];
-        let along = columns.map(|[a, b]| a * ux + b * uy);
         let across = columns.map(|[a, b]| b * ux - a * uy);
-        let mut jet = Jet::constant(d_max - self.reserve - reach);
+        let mut jet = Jet::constant(0.0);
+        (jet.value, jet.gradient) = self.slope(&[rx, ry, phi_l, phi_r, d_max]);
         for i in 0..4 {
-            jet.gradient[i] = -along[i];
             for j in 0..4 {
                 jet.hessian[i][j] = -across[i] * across[j] / reach;
             }
         }
-        jet.gradient[4] = 1.0;
         jet.hessian[2][2] -= h * (cl * ux + sl * uy);
         jet.hessian[3][3] += h * (cr * ux + sr * uy);
         jet

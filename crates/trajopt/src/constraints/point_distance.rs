@@ -74,16 +74,25 @@ fn distance(a: Point, b: Point) -> f64 {
 }
 
 impl Term<POINT> for CenterDistance {
+    #[inline]
     fn value(&self, &[x, y]: &[f64; POINT]) -> f64 {
         distance(Point::new(x, y), self.center) - self.keep
     }
 
-    fn jet(&self, &[x, y]: &[f64; POINT]) -> Jet<POINT> {
+    #[inline]
+    fn slope(&self, &[x, y]: &[f64; POINT]) -> (f64, [f64; POINT]) {
         let p = Point::new(x, y);
         let d = distance(p, self.center).max(1e-9);
         let u = (p - self.center) / d;
-        let mut jet = Jet::constant(d - self.keep);
-        jet.gradient = [u.x, u.y];
+        (d - self.keep, [u.x, u.y])
+    }
+
+    fn jet(&self, z: &[f64; POINT]) -> Jet<POINT> {
+        let (value, gradient) = self.slope(z);
+        let mut jet = Jet::constant(value);
+        jet.gradient = gradient;
+        let u = Point::from(gradient);
+        let d = value + self.keep;
         jet.hessian = [
             [u.y * u.y / d, -u.x * u.y / d],
             [-u.x * u.y / d, u.x * u.x / d],
@@ -93,12 +102,23 @@ impl Term<POINT> for CenterDistance {
 }
 
 impl Term<POINT> for PointDistance<'_> {
+    #[inline]
     fn value(&self, &[x, y]: &[f64; POINT]) -> f64 {
         let p = Point::new(x, y);
         let keep = self.keep + self.region.radius;
         match nearest(self.region, p) {
             Nearest::Corner(center) => CenterDistance { center, keep }.value(&[x, y]),
             Nearest::Edge(a, n) => n.dot(p - a) - keep,
+        }
+    }
+
+    #[inline]
+    fn slope(&self, &[x, y]: &[f64; POINT]) -> (f64, [f64; POINT]) {
+        let p = Point::new(x, y);
+        let keep = self.keep + self.region.radius;
+        match nearest(self.region, p) {
+            Nearest::Corner(center) => CenterDistance { center, keep }.slope(&[x, y]),
+            Nearest::Edge(a, n) => (n.dot(p - a) - keep, [n.x, n.y]),
         }
     }
 

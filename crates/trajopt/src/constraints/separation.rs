@@ -16,34 +16,85 @@ pub struct SeparationBelow {
     pub ratio: f64,
 }
 
-/// `sign d + offset + slope d_max` with derivatives.
-fn distance_jet(rx: f64, ry: f64, d_max: f64, sign: f64, offset: f64, slope: f64) -> Jet<PAIR> {
-    let d = rx.hypot(ry);
-    let (ux, uy) = (rx / d, ry / d);
-    let mut jet = Jet::constant(sign * d + offset + slope * d_max);
-    jet.gradient = [sign * ux, sign * uy, 0.0, 0.0, slope];
-    jet.hessian[0][0] = sign * uy * uy / d;
-    jet.hessian[1][1] = sign * ux * ux / d;
-    jet.set_mixed(0, 1, -sign * ux * uy / d);
-    jet
+/// `sign d + offset + slope d_max`.
+struct Linear {
+    sign: f64,
+    offset: f64,
+    slope: f64,
+}
+
+impl Linear {
+    #[inline]
+    fn slope(&self, &[rx, ry, _, _, d_max]: &[f64; PAIR]) -> (f64, [f64; PAIR]) {
+        let d = (rx * rx + ry * ry).sqrt();
+        let scale = self.sign / d;
+        (
+            self.sign * d + self.offset + self.slope * d_max,
+            [scale * rx, scale * ry, 0.0, 0.0, self.slope],
+        )
+    }
+
+    fn jet(&self, z: &[f64; PAIR]) -> Jet<PAIR> {
+        let (value, gradient) = self.slope(z);
+        let mut jet = Jet::constant(value);
+        jet.gradient = gradient;
+        let (ux, uy) = (self.sign * gradient[0], self.sign * gradient[1]);
+        let bend = self.sign / (z[0] * z[0] + z[1] * z[1]).sqrt();
+        jet.hessian[0][0] = bend * uy * uy;
+        jet.hessian[1][1] = bend * ux * ux;
+        jet.set_mixed(0, 1, -bend * ux * uy);
+        jet
+    }
+}
+
+impl SeparationAbove {
+    fn linear(&self) -> Linear {
+        Linear {
+            sign: 1.0,
+            offset: -self.lower,
+            slope: -self.ratio,
+        }
+    }
+}
+
+impl SeparationBelow {
+    fn linear(&self) -> Linear {
+        Linear {
+            sign: -1.0,
+            offset: -self.reserve,
+            slope: self.ratio,
+        }
+    }
 }
 
 impl Term<PAIR> for SeparationAbove {
+    #[inline]
     fn value(&self, &[rx, ry, _, _, d_max]: &[f64; PAIR]) -> f64 {
-        rx.hypot(ry) - self.lower - self.ratio * d_max
+        (rx * rx + ry * ry).sqrt() - self.lower - self.ratio * d_max
     }
 
-    fn jet(&self, &[rx, ry, _, _, d_max]: &[f64; PAIR]) -> Jet<PAIR> {
-        distance_jet(rx, ry, d_max, 1.0, -self.lower, -self.ratio)
+    #[inline]
+    fn slope(&self, z: &[f64; PAIR]) -> (f64, [f64; PAIR]) {
+        self.linear().slope(z)
+    }
+
+    fn jet(&self, z: &[f64; PAIR]) -> Jet<PAIR> {
+        self.linear().jet(z)
     }
 }
 
 impl Term<PAIR> for SeparationBelow {
+    #[inline]
     fn value(&self, &[rx, ry, _, _, d_max]: &[f64; PAIR]) -> f64 {
-        self.ratio * d_max - self.reserve - rx.hypot(ry)
+        self.ratio * d_max - self.reserve - (rx * rx + ry * ry).sqrt()
     }
 
-    fn jet(&self, &[rx, ry, _, _, d_max]: &[f64; PAIR]) -> Jet<PAIR> {
-        distance_jet(rx, ry, d_max, -1.0, -self.reserve, self.ratio)
+    #[inline]
+    fn slope(&self, z: &[f64; PAIR]) -> (f64, [f64; PAIR]) {
+        self.linear().slope(z)
+    }
+
+    fn jet(&self, z: &[f64; PAIR]) -> Jet<PAIR> {
+        self.linear().jet(z)
     }
 }

@@ -90,7 +90,7 @@ impl Expansion {
     }
 
     fn jet_with(&self, &[rx, ry, _, _, d_max]: &[f64; PAIR], convex: bool) -> Jet<PAIR> {
-        let d = rx.hypot(ry);
+        let d = (rx * rx + ry * ry).sqrt();
         let eta = d / d_max;
         let [f0, f1, f2] = self.of_ratio(eta);
         let stretch = (d - self.rest_ratio * d_max).max(0.0);
@@ -123,12 +123,19 @@ impl Expansion {
 }
 
 impl Term<PAIR> for Expansion {
+    #[inline]
     fn value(&self, &[rx, ry, _, _, d_max]: &[f64; PAIR]) -> f64 {
-        let d = rx.hypot(ry);
+        let d = (rx * rx + ry * ry).sqrt();
         let stretch = (d - self.rest_ratio * d_max).max(0.0);
         self.weight * (self.of_ratio(d / d_max)[0] + self.kd2 * stretch * stretch)
     }
 
+    fn slope(&self, z: &[f64; PAIR]) -> (f64, [f64; PAIR]) {
+        let jet = self.jet(z);
+        (jet.value, jet.gradient)
+    }
+
+    #[inline]
     fn jet(&self, z: &[f64; PAIR]) -> Jet<PAIR> {
         self.jet_with(z, false)
     }

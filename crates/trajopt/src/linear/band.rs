@@ -1,3 +1,5 @@
+use std::ops::Range;
+
 /// Scalar half-bandwidth: six pose variables a stage, second differences couple like coordinates two stages apart.
 pub const HALF_BANDWIDTH: usize = 12;
 const COLUMN: usize = HALF_BANDWIDTH + 1;
@@ -34,11 +36,39 @@ impl BandMatrix {
         }
     }
 
-    /// Copies another matrix of the same order and adds `shift` to the diagonal.
-    pub fn copy_shifted(&mut self, other: &Self, shift: f64) {
-        self.columns.clone_from(&other.columns);
+    /// Copies the diagonal block of another matrix that a range of its columns makes, and adds `shift` to the diagonal.
+    pub fn copy_block(&mut self, other: &Self, block: Range<usize>, shift: f64) {
+        self.columns.clear();
+        self.columns.extend_from_slice(&other.columns[block]);
         for column in &mut self.columns {
             column[0] += shift;
+        }
+    }
+
+    /// Subtracts from a right-hand side of a diagonal block what the variables outside of it, which stay at `x`, contribute.
+    pub fn subtract_outside(&self, block: Range<usize>, x: &[f64], rhs: &mut [f64]) {
+        let first = block.start;
+        for (c, column) in self.columns[..first]
+            .iter()
+            .enumerate()
+            .rev()
+            .take(HALF_BANDWIDTH)
+        {
+            for (r, entry) in (c..).zip(column).skip(first - c) {
+                rhs[r - first] -= entry * x[c];
+            }
+        }
+        for (r, column) in self
+            .columns
+            .iter()
+            .enumerate()
+            .take(block.end)
+            .rev()
+            .take(HALF_BANDWIDTH)
+        {
+            for (entry, x) in column.iter().zip(&x[r..]).skip(block.end - r) {
+                rhs[r - first] -= entry * x;
+            }
         }
     }
 
@@ -70,24 +100,53 @@ impl BandMatrix {
         Ok(())
     }
 
-    /// Solves with the factorization, in place.
-    pub fn solve(&self, x: &mut [f64]) {
-        let order = x.len();
-        for j in 0..order {
-            let xj = x[j];
-            let reach = HALF_BANDWIDTH.min(order - 1 - j);
-            for (t, &l) in x[j + 1..=j + reach].iter_mut().zip(&self.columns[j][1..]) {
-                *t -= l * xj;
+    /// Solves with the factorization for several right-hand sides at once, in place: one waits for no division or sum of
+    /// another.
+    pub fn solve<const K: usize>(&self, mut x: [&mut [f64]; K]) {
+        let order = self.columns.len();
+        // Columns of which all entries lie within the matrix.
+        let whole = order.saturating_sub(HALF_BANDWIDTH);
+        for (j, column) in self.columns.iter().enumerate() {
+            let below = &column[1..];
+            for x in &mut x {
+                let xj = x[j];
+                if j < whole {
+                    for (t, &l) in x[j + 1..][..HALF_BANDWIDTH].iter_mut().zip(below) {
+                        *t -= l * xj;
+                    }
+                } else {
+                    for (t, &l) in x[j + 1..].iter_mut().zip(below) {
+                        *t -= l * xj;
+                    }
+                }
             }
         }
-        for j in (0..order).rev() {
-            let reach = HALF_BANDWIDTH.min(order - 1 - j);
-            let dot: f64 = x[j + 1..=j + reach]
-                .iter()
-                .zip(&self.columns[j][1..])
-                .map(|(a, b)| a * b)
-                .sum();
-            x[j] = x[j] / self.columns[j][0] - dot;
+        for (j, column) in self.columns.iter().enumerate().rev() {
+            let inverse = 1.0 / column[0];
+            for x in &mut x {
+                let dot = if j < whole {
+                    dot_of_band(&x[j + 1..][..HALF_BANDWIDTH], &column[1..])
+                } else {
+                    x[j + 1..]
+                        .iter()
+                        .zip(&column[1..])
+                        .map(|(a, b)| a * b)
+                        .sum()
+                };
+                x[j] = x[j] * inverse - dot;
+            }
         }
     }
+}
+
+/// Scalar product of twelve entries in four sums side by side, those that were found last added last.
+#[inline]
+fn dot_of_band(a: &[f64], b: &[f64]) -> f64 {
+    let mut sums = [0.0; 4];
+    for k in (0..HALF_BANDWIDTH).step_by(4).rev() {
+        for (m, sum) in sums.iter_mut().enumerate() {
+            *sum += a[k + m] * b[k + m];
+        }
+    }
+    (sums[0] + sums[1]) + (sums[2] + sums[3])
 }

@@ -1,4 +1,4 @@
-//! The one derivative check: gradient and Hessian of a jet against differences of values alone.
+//! The one derivative check: gradient and Hessian of a jet against differences of values alone, and the slope against the jet.
 
 use crate::term::{Jet, Term};
 
@@ -68,7 +68,7 @@ fn moved<const K: usize>(z: &[f64; K], changes: &[(usize, f64)]) -> [f64; K] {
     moved
 }
 
-/// Checks value, gradient, Hessian and its symmetry at a point, from values at most about `reach` away.
+/// Checks value, gradient, Hessian and its symmetry, and that the slope says the same, at a point, from values at most about `reach` away.
 pub fn check<const K: usize>(term: &dyn Term<K>, z: &[f64; K], reach: f64) -> Result<(), Fault> {
     let jet = term.jet(z);
     let value = term.value(z);
@@ -77,6 +77,17 @@ pub fn check<const K: usize>(term: &dyn Term<K>, z: &[f64; K], reach: f64) -> Re
     }
     let largest = |m: f64, v: &f64| m.max(v.abs());
     let steepest = 1.0 + jet.gradient.iter().fold(0.0, largest);
+    let (value_of_slope, gradient_of_slope) = term.slope(z);
+    if !within(value_of_slope - value, 1e-12 * (1.0 + value.abs())) {
+        let message = format!("slope: value {value_of_slope} for {value} at {z:?}");
+        return Err(Fault::Wrong(message));
+    }
+    for (i, (given, expected)) in gradient_of_slope.iter().zip(&jet.gradient).enumerate() {
+        if !within(given - expected, 1e-12 * steepest) {
+            let message = format!("slope: gradient[{i}] {given} for {expected} at {z:?}");
+            return Err(Fault::Wrong(message));
+        }
+    }
     let sharpest = 1.0 + jet.hessian.iter().flatten().fold(0.0, largest);
     let compare = |what: &str, given: f64, found: Estimate, scale: f64| {
         if !within(found.error, 1e-5 * scale) {
@@ -124,10 +135,14 @@ pub fn check<const K: usize>(term: &dyn Term<K>, z: &[f64; K], reach: f64) -> Re
     Ok(())
 }
 
-/// A term with an error planted into its jet.
+/// Value and gradient, as `Term::slope` has them.
+type Slope<const K: usize> = (f64, [f64; K]);
+
+/// A term with errors planted into its jet and its slope.
 struct Planted<'a, const K: usize> {
     term: &'a dyn Term<K>,
-    error: &'a dyn Fn(&mut Jet<K>),
+    in_jet: &'a dyn Fn(&mut Jet<K>),
+    in_slope: &'a dyn Fn(&mut Slope<K>),
 }
 
 impl<const K: usize> Term<K> for Planted<'_, K> {
@@ -135,9 +150,15 @@ impl<const K: usize> Term<K> for Planted<'_, K> {
         self.term.value(z)
     }
 
+    fn slope(&self, z: &[f64; K]) -> Slope<K> {
+        let mut slope = self.term.slope(z);
+        (self.in_slope)(&mut slope);
+        slope
+    }
+
     fn jet(&self, z: &[f64; K]) -> Jet<K> {
         let mut jet = self.term.jet(z);
-        (self.error)(&mut jet);
+        (self.in_jet)(&mut jet);
         jet
     }
 }
@@ -149,17 +170,29 @@ pub fn assert_checked<const K: usize>(term: &dyn Term<K>, z: &[f64; K], reach: f
     let largest = |m: f64, v: &f64| m.max(v.abs());
     let gradient_error = 1e-3 * (1.0 + jet.gradient.iter().fold(0.0, largest));
     let hessian_error = 1e-3 * (1.0 + jet.hessian.iter().flatten().fold(0.0, largest));
-    let refuses = |error: &dyn Fn(&mut Jet<K>)| {
-        let planted = Planted { term, error };
+    let refuses_both = |in_jet: &dyn Fn(&mut Jet<K>), in_slope: &dyn Fn(&mut Slope<K>)| {
+        let planted = Planted {
+            term,
+            in_jet,
+            in_slope,
+        };
         let verdict = check(&planted, z, reach);
         assert!(
             matches!(verdict, Err(Fault::Wrong(_))),
             "{verdict:?} at {z:?}"
         );
     };
+    let refuses = |in_jet: &dyn Fn(&mut Jet<K>)| refuses_both(in_jet, &|_| {});
+    let tiny = 1e-10 * (1.0 + jet.gradient.iter().fold(0.0, largest));
+    refuses_both(&|_| {}, &|slope| slope.0 += 1e-9 * (1.0 + slope.0.abs()));
     refuses(&|jet| jet.value += 1e-9 * (1.0 + jet.value.abs()));
     for i in 0..K {
         refuses(&|jet| jet.gradient[i] += gradient_error);
+        // The slope alone is held to the jet; with the jet it is held to the values.
+        refuses_both(&|_| {}, &|slope| slope.1[i] += tiny);
+        refuses_both(&|jet| jet.gradient[i] += gradient_error, &|slope| {
+            slope.1[i] += gradient_error;
+        });
         for j in 0..K {
             // Alone it also breaks the symmetry; with its mirror only the value is wrong.
             refuses(&|jet| jet.hessian[i][j] += hessian_error);
@@ -185,6 +218,9 @@ fn a_kink_within_reach_is_not_taken_for_smooth() {
     impl Term<1> for Kink {
         fn value(&self, z: &[f64; 1]) -> f64 {
             z[0].abs()
+        }
+        fn slope(&self, z: &[f64; 1]) -> (f64, [f64; 1]) {
+            (z[0].abs(), [z[0].signum()])
         }
         fn jet(&self, z: &[f64; 1]) -> Jet<1> {
             let mut jet = Jet::constant(z[0].abs());

@@ -1,48 +1,19 @@
 //! The Lagrangian written a second time, from the formulas alone, and the assembled gradients against its differences.
 
-use super::between;
-use crate::active::{PointKind, SAG, Tier};
+use super::case::{Case, shaken};
+use crate::active::{PointKind, Tier};
 use crate::assembly::System;
-use crate::constraints::RungDistance;
-use crate::interior_point::{Settings, State};
+use crate::constraints::QuadDistance;
+use crate::interior_point::State;
 use crate::iterate::{Iterate, STAGE};
 use crate::pieces::Piece;
-use crate::problem::Problem;
 use crate::term::Term;
-use pairtrawl_generate::{Generated, Kind, generate};
-use pairtrawl_geometry::{Convex, Point, Polygon, Pose, Segment};
-use pairtrawl_world::World;
-
-/// A generated scene with everything that its problem is made from.
-pub struct Case {
-    pub made: Generated,
-    pub pieces: Vec<Convex>,
-    pub problem: Problem,
-}
-
-impl Case {
-    pub fn new(difficulty: u8, seed: u64, waypoints: usize, free_length: bool) -> Self {
-        let made = generate(Kind::Witness, difficulty, seed, waypoints).expect("a scene");
-        let net_length = (!free_length).then_some(made.net_length);
-        let pieces = World::new(&made.scene, net_length).expect("a world").pieces;
-        let problem = Problem::new(&made.scene, net_length, &pieces);
-        Self {
-            made,
-            pieces,
-            problem,
-        }
-    }
-
-    pub fn start(&self) -> Iterate {
-        Iterate::from_trajectory(&self.made.witness, self.made.net_length)
-    }
-}
+use pairtrawl_geometry::{Convex, Hull, Point, Polygon, Pose};
 
 /// What a multiplier at a waypoint belongs to.
 enum Subject {
     Pair(u8),
     Point(usize, PointKind),
-    Rung(u32, Tier),
 }
 
 /// Objective minus multipliers times constraints plus multipliers times slips.
@@ -52,6 +23,8 @@ pub struct Lagrangian<'a> {
     at_stages: Vec<Vec<(Subject, f64)>>,
     /// By step and robot: of the five bounds, and of the slip.
     at_steps: Vec<([f64; 5], f64)>,
+    /// By step: of what the line between the robots sweeps, pieces and tiers.
+    swept: Vec<Vec<(u32, Tier, f64)>>,
 }
 
 impl<'a> Lagrangian<'a> {
@@ -61,6 +34,7 @@ impl<'a> Lagrangian<'a> {
         let mut at_stages: Vec<Vec<(Subject, f64)>> = Vec::new();
         at_stages.resize_with(state.x.stages.len(), Vec::new);
         let mut at_steps = vec![([0.0; 5], 0.0); state.lambda.len()];
+        let mut swept = vec![Vec::new(); state.x.stages.len() - 1];
         if multipliers {
             for r in &set.pairs {
                 at_stages[r.stage as usize].push((Subject::Pair(r.kind), r.row.z));
@@ -69,8 +43,8 @@ impl<'a> Lagrangian<'a> {
                 let subject = Subject::Point(r.robot.into(), r.kind);
                 at_stages[r.stage as usize].push((subject, r.row.z));
             }
-            for r in &set.rungs {
-                at_stages[r.stage as usize].push((Subject::Rung(r.piece, r.tier), r.row.z));
+            for r in &set.quads {
+                swept[r.step as usize].push((r.piece, r.tier, r.row.z));
             }
             for (k, (bounds, slip)) in at_steps.iter_mut().enumerate() {
                 *bounds = std::array::from_fn(|b| set.steps[5 * k + b].z);
@@ -81,13 +55,7 @@ impl<'a> Lagrangian<'a> {
             case,
             at_stages,
             at_steps,
-        }
-    }
-
-    fn kept(&self, tier: Tier, margin: f64) -> f64 {
-        match tier {
-            Tier::Margin => margin,
-            Tier::Claim => SAG.min(margin),
+            swept,
         }
     }
 
@@ -125,14 +93,14 @@ impl<'a> Lagrangian<'a> {
                         p.distance(object.position)
                             - object.footprint_radius()
                             - scene.robot.radius
-                            - self.kept(tier, reserve.clearance)
+                            - self.case.kept(tier, reserve.clearance)
                     }
                     PointKind::Piece(id, tier) => {
                         let gap = match &self.case.pieces[id as usize] {
                             Convex::Polygon(v) => Polygon::new(v.clone()).signed_distance(p),
                             Convex::Circle { center, radius } => p.distance(*center) - radius,
                         };
-                        gap - scene.robot.radius - self.kept(tier, reserve.clearance)
+                        gap - scene.robot.radius - self.case.kept(tier, reserve.clearance)
                     }
                     PointKind::Side(_, plane) => Point::from(plane.normal).dot(p) - plane.offset,
                     PointKind::Area(0) => p.x - scene.area.min.x - 1e-6,
@@ -141,24 +109,27 @@ impl<'a> Lagrangian<'a> {
                     PointKind::Area(_) => scene.area.max.y - p.y - 1e-6,
                 }
             }
-            Subject::Rung(id, tier) => {
-                let rung = Segment::new(l.position(), r.position());
-                let keep = self.kept(tier, reserve.net_clearance);
-                let convex = &self.case.pieces[id as usize];
-                let gap = match convex {
-                    Convex::Polygon(v) => rung.gap_to_polygon(&Polygon::new(v.clone())).distance,
-                    Convex::Circle { center, radius } => {
-                        rung.gap_to_disc(*center, *radius).distance
-                    }
-                };
-                if gap > 0.0 {
-                    return gap - keep;
-                }
-                // Depths of overlap have a test of their own.
-                let region = &Piece::new(convex);
-                RungDistance { region, keep }.value(&x.rung(i))
-            }
         }
+    }
+
+    /// The constraint of a piece of an obstacle in a step, `c >= 0`.
+    fn clear_of(&self, x: &Iterate, i: usize, id: u32, tier: Tier) -> f64 {
+        let keep = self
+            .case
+            .kept(tier, self.case.problem.reserve.net_clearance);
+        let convex = &self.case.pieces[id as usize];
+        let corner = |k: usize, robot: usize| x.position(i + k, robot);
+        let hull = Hull::of(&[corner(0, 0), corner(0, 1), corner(1, 0), corner(1, 1)]);
+        let gap = match convex {
+            Convex::Polygon(v) => hull.gap_to_polygon(&Polygon::new(v.clone())).distance,
+            Convex::Circle { center, radius } => hull.gap_to_disc(*center, *radius).distance,
+        };
+        if gap > 0.0 {
+            return gap - keep;
+        }
+        // Depths of overlap have a test of their own.
+        let region = &Piece::new(convex);
+        QuadDistance { region, keep }.value(&x.quad(i))
     }
 
     /// J_e as the paper has it, with a plus sign.
@@ -184,7 +155,9 @@ impl<'a> Lagrangian<'a> {
 
     fn at_step(&self, x: &Iterate, i: usize) -> f64 {
         let p = &self.case.made.scene.planner;
-        let mut sum = 0.0;
+        let mut sum = self.swept[i].iter().fold(0.0, |sum, &(id, tier, z)| {
+            sum - z * self.clear_of(x, i, id, tier)
+        });
         for robot in 0..2 {
             let (a, b) = (
                 &x.stages[i][3 * robot..3 * robot + 3],
@@ -272,8 +245,8 @@ impl<'a> Lagrangian<'a> {
             let c = of.constraint(&subject, x, r.stage as usize);
             rows.push([c, r.row.s, r.row.e, r.row.z, r.row.weight]);
         }
-        for r in &set.rungs {
-            let c = of.constraint(&Subject::Rung(r.piece, r.tier), x, r.stage as usize);
+        for r in &set.quads {
+            let c = of.clear_of(x, r.step as usize, r.piece, r.tier);
             rows.push([c, r.row.s, r.row.e, r.row.z, r.row.weight]);
         }
         rows
@@ -286,30 +259,16 @@ fn difference(mut f: impl FnMut(f64) -> f64) -> f64 {
     (8.0 * (f(H) - f(-H)) - (f(2.0 * H) - f(-2.0 * H))) / (12.0 * H)
 }
 
-/// A state near a witness with random multipliers.
-pub fn shaken(case: &Case, seed: u64) -> State {
-    let mut random = fastrand::Rng::with_seed(seed);
-    let mut x = case.start();
-    let last = x.stages.len() - 1;
-    for stage in &mut x.stages[1..last] {
-        for z in stage {
-            *z += between(&mut random, -0.01, 0.01);
-        }
-    }
-    let mut state = State::new(&case.problem, x, &Settings::default());
-    each_row_mut!(state.set, row, {
-        row.z = row.weight.min(100.0) * between(&mut random, 0.01, 0.99);
-    });
-    for lambda in &mut state.lambda {
-        *lambda = between(&mut random, -100.0, 100.0);
-    }
-    state
-}
-
 #[test]
 fn assembled_gradients_are_those_of_the_lagrangian() {
-    for (difficulty, seed, free) in [(2, 1, true), (5, 2, false), (9, 3, true)] {
-        let case = Case::new(difficulty, seed, 60, free);
+    for (make, difficulty, seed, free) in [
+        (Case::new as fn(u8, u64, usize, bool) -> Case, 2, 1, true),
+        (Case::new, 5, 2, false),
+        (Case::new, 9, 3, true),
+        (Case::tight, 4, 4, false),
+        (Case::tight, 7, 5, true),
+    ] {
+        let case = make(difficulty, seed, 60, free);
         let mut state = shaken(&case, seed);
         let mut system = System::default();
         let lambda = state.lambda.clone();

@@ -1,14 +1,14 @@
 //! The condensed matrix against its quadratic form, summed term by term, and the Newton direction against the matrix.
 
 use super::between;
-use super::lagrangian::{Case, shaken};
-use crate::active::jet_of;
-use crate::assembly::{DUAL_REGULARIZATION, System};
+use super::case::{Case, shaken};
+use crate::active::slope_of;
+use crate::assembly::{DUAL_REGULARIZATION, Local, System};
 use crate::interior_point::State;
 use crate::iterate::STAGE;
 use crate::newton::Newton;
-use crate::row::Row;
-use crate::term::{Jet, Term};
+use crate::row::{Condensed, Row};
+use crate::term::{QUAD, Term};
 
 /// A direction: of every waypoint, the ends at rest, and of the net length.
 struct Direction {
@@ -42,10 +42,32 @@ fn assembled(case: &Case, seed: u64, mu: f64) -> (State, System) {
     (state, system)
 }
 
+/// Stiffness of a row, slack, violation and multiplier eliminated.
+pub fn sigma<const K: usize>(row: &Row<K>) -> f64 {
+    let give = if row.weight.is_finite() {
+        row.e / (row.weight - row.z)
+    } else {
+        0.0
+    };
+    1.0 / (row.s / row.z + give)
+}
+
 /// `sigma (gradient . direction)^2`.
-fn of_row<const K: usize>(row: &Row<K>, jet: &Jet<K>, local: &[f64; K]) -> f64 {
-    let slope: f64 = (0..K).map(|k| jet.gradient[k] * local[k]).sum();
-    row.sigma() * slope * slope
+fn of_row<const K: usize>(row: &Row<K>, (_, gradient): (f64, [f64; K]), local: &[f64; K]) -> f64 {
+    let slope: f64 = (0..K).map(|k| gradient[k] * local[k]).sum();
+    sigma(row) * slope * slope
+}
+
+/// Curvature of the frame of a step, from the step's rows: of the string under tension, and of the lateral force as far as
+/// the bounds on `along` carry it.
+pub fn bend(case: &Case, state: &State, lambda: &[f64], at: usize) -> (f64, f64) {
+    let p = &case.made.scene.planner;
+    let rows = &state.set.steps[5 * at..][..5];
+    let step = state.x.step(at / 2, at % 2);
+    let tension = p.a2 * p.t1 - rows[0].z + rows[1].z;
+    let taut = (tension * step.along).max(0.0);
+    let most = 0.9 * ((sigma(&rows[0]) + sigma(&rows[1])) * taut).sqrt();
+    (taut, lambda[at].clamp(-most, most))
 }
 
 /// The quadratic form of the condensed matrix: of the equalities, and of everything else.
@@ -75,14 +97,10 @@ fn by_hand(case: &Case, state: &State, d: &Direction) -> (f64, f64) {
             let (along, across, turn) = step.change(from, to);
             slips += across * across / DUAL_REGULARIZATION;
             let rows = &set.steps[5 * (2 * i + robot)..][..5];
-            let sigma_along = rows[0].sigma() + rows[1].sigma();
-            let sigma_turn = rows[2].sigma() + rows[3].sigma() + rows[4].sigma();
+            let sigma_along = sigma(&rows[0]) + sigma(&rows[1]);
+            let sigma_turn: f64 = rows[2..].iter().map(sigma).sum();
             sum += sigma_along * along * along + sigma_turn * turn * turn;
-            // The string under tension, and the lateral force as far as the bounds on `along` carry it.
-            let tension = p.a2 * p.t1 - rows[0].z + rows[1].z;
-            let taut = (tension * step.along).max(0.0);
-            let most = 0.9 * (sigma_along * taut).sqrt();
-            let lateral = state.lambda[2 * i + robot].clamp(-most, most);
+            let (taut, lateral) = bend(case, state, &state.lambda, 2 * i + robot);
             let psi = 0.5 * (from[2] + to[2]);
             let forward = (to[0] - from[0]) * step.cos + (to[1] - from[1]) * step.sin;
             sum += taut * psi * psi - 2.0 * lateral * forward * psi;
@@ -93,7 +111,7 @@ fn by_hand(case: &Case, state: &State, d: &Direction) -> (f64, f64) {
         let z = x.pair(i);
         sum += of_row(
             &r.row,
-            &problem.pair_term(r.kind, i, jet_of(&z)),
+            problem.pair_term(r.kind, i, slope_of(&z)),
             &d.pair(i),
         );
     }
@@ -101,20 +119,20 @@ fn by_hand(case: &Case, state: &State, d: &Direction) -> (f64, f64) {
         let (i, k) = (r.stage as usize, 3 * r.robot as usize);
         let z = x.point(i, r.robot.into());
         let local = [d.stages[i][k], d.stages[i][k + 1]];
-        sum += of_row(&r.row, &problem.point_term(&r.kind, jet_of(&z)), &local);
+        sum += of_row(&r.row, problem.point_term(&r.kind, slope_of(&z)), &local);
     }
-    for r in &set.rungs {
-        let v = &d.stages[r.stage as usize];
-        let jet = problem
-            .rung_distance(r.piece, r.tier)
-            .jet(&x.rung(r.stage as usize));
-        sum += of_row(&r.row, &jet, &[v[0], v[1], v[3], v[4]]);
+    for r in &set.quads {
+        let i = r.step as usize;
+        let (a, b) = (&d.stages[i], &d.stages[i + 1]);
+        let slope = problem.quad_distance(r.piece, r.tier).slope(&x.quad(i));
+        let local = [a[0], a[1], a[3], a[4], b[0], b[1], b[3], b[4]];
+        sum += of_row(&r.row, slope, &local);
     }
     (slips, sum)
 }
 
 /// The band times a vector of the inner stages.
-fn times(system: &System, v: &[f64]) -> Vec<f64> {
+pub fn times(system: &System, v: &[f64]) -> Vec<f64> {
     (0..v.len())
         .map(|i| (0..v.len()).map(|j| system.matrix.entry(i, j) * v[j]).sum())
         .collect()
@@ -127,9 +145,13 @@ fn dot(a: &[f64], b: &[f64]) -> f64 {
 #[test]
 fn the_condensed_matrix_is_the_sum_of_its_terms() {
     let mut random = fastrand::Rng::with_seed(24);
-    for (difficulty, seed) in [(3, 1), (9, 2)] {
-        let case = Case::new(difficulty, seed, 60, true);
+    for (case, seed) in [
+        (Case::new(3, 1, 60, true), 1),
+        (Case::new(9, 2, 60, true), 2),
+        (Case::tight(6, 3, 60, true), 3),
+    ] {
         let (state, system) = assembled(&case, seed, 1e-2);
+        assert!(seed < 3 || state.set.quads.len() > 100);
         for _ in 0..10 {
             let d = Direction::random(&mut random, state.x.stages.len());
             let flat = d.stages[1..d.stages.len() - 1].concat();
@@ -142,6 +164,38 @@ fn the_condensed_matrix_is_the_sum_of_its_terms() {
                 error <= 1e-13 * slips + 1e-9 * rest.abs(),
                 "{form} for {slips} and {rest}"
             );
+        }
+    }
+}
+
+#[test]
+fn a_swept_hull_couples_both_waypoints() {
+    let mut random = fastrand::Rng::with_seed(30);
+    let count = 6;
+    let order = (count - 2) * STAGE;
+    for step in 0..count - 1 {
+        let g: [f64; QUAD] = std::array::from_fn(|_| between(&mut random, -1.0, 1.0));
+        let (sigma, force) = (2.5, -0.7);
+        let mut system = System {
+            gradient: vec![0.0; order],
+            lagrangian: vec![0.0; order],
+            objective: vec![0.0; order],
+            ..System::default()
+        };
+        system.matrix.reset(order);
+        system.scatter_quad(step, count, &Local::of_row(&g, Condensed { sigma, force }));
+        // Left and right robot at one waypoint, then at the next; the first and the last waypoint have no variables.
+        let mut whole = vec![0.0; count * STAGE];
+        for (k, v) in [0, 1, 3, 4, 6, 7, 9, 10].into_iter().enumerate() {
+            whole[step * STAGE + v] = g[k];
+        }
+        let inner = &whole[STAGE..count * STAGE - STAGE];
+        for i in 0..order {
+            assert_eq!(system.gradient[i], -force * inner[i]);
+            for j in 0..order {
+                let (given, expected) = (system.matrix.entry(i, j), sigma * inner[i] * inner[j]);
+                assert!((given - expected).abs() < 1e-14, "step {step}: {i}, {j}");
+            }
         }
     }
 }

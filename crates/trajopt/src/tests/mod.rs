@@ -1,13 +1,18 @@
 //! Tests of the crate's inner parts, by subject.
 
 mod band;
+mod case;
 mod cost;
 mod derivative_check;
 mod features;
 mod filter;
 mod lagrangian;
+mod line_search;
+mod look_up;
 mod matrix;
 mod optimality;
+mod quads;
+mod reinforcement;
 mod rows;
 mod steps;
 mod terms;

@@ -1,6 +1,7 @@
 //! Residuals of solved problems, recomputed outside the solver from the point and its multipliers.
 
-use super::lagrangian::{Case, Lagrangian};
+use super::case::Case;
+use super::lagrangian::Lagrangian;
 use crate::interior_point::{Settings, State, Workspace, solve};
 use pairtrawl_model::SolverStatus;
 

@@ -62,8 +62,11 @@ fn recovered_steps_solve_the_linearized_equations() {
         for _ in 0..200 {
             let mut row = random_row(&mut random, weight);
             let (mu, dc) = (1e-3, between(&mut random, -0.1, 0.1));
-            let residual = row.residual() + between(&mut random, -1e-2, 1e-2);
-            row.recover(mu, residual, dc);
+            // Far from where the slack says that the constraint is, as after a look at a bend.
+            row.c += between(&mut random, -1e-2, 1e-2);
+            let residual = row.c - row.s + row.e;
+            row.condense(mu);
+            row.recover(mu, dc);
             let zero = |value: f64, scale: f64, what: &str| {
                 assert!(value.abs() <= 1e-10 * scale, "{what} {value}: {row:?}");
             };
@@ -92,14 +95,43 @@ fn recovered_steps_solve_the_linearized_equations() {
 }
 
 #[test]
+fn steps_of_a_dear_violation_keep_the_digits_of_its_slack() {
+    // A claim that cannot be met, at the highest price: the slack is ten digits smaller than the violation, and what is lost of
+    // it in a difference would end every step at once.
+    for weight in [3e3, 1.8e6, 3.6e7] {
+        for c in [-0.4, -1e-2] {
+            let mut row = Row::<1>::centered(c, weight, 1e-3);
+            for (mu, dc) in [(1e-4, 0.0), (1e-4, 3e-5), (1e-3, -1e-4)] {
+                row.condense(mu);
+                row.recover(mu, dc);
+                let slack = row.s * row.z + row.z * row.ds + row.s * row.dz;
+                assert!(close(slack, mu, 1e-6), "{slack} for {mu}: {row:?}");
+                let sum = row.residual() + dc - row.ds + row.de;
+                assert!(sum.abs() <= 1e-12, "{sum}: {row:?}");
+                let mut longest = 1.0;
+                row.limit_step(&mut longest);
+                assert!(longest == 1.0, "{longest}: {row:?}");
+            }
+        }
+    }
+}
+
+#[test]
 fn the_condensed_row_is_the_newton_system_with_its_unknowns_eliminated() {
     // With dc = g dx, the row adds -(z + dz) g to the stationarity: -force g + sigma g g dx.
     let mut random = Rng::with_seed(16);
     for weight in [20.0, f64::INFINITY] {
         let mut row = random_row(&mut random, weight);
-        let condensed = row.condense(1e-3, row.residual());
+        let condensed = row.condense(1e-3);
+        let give = if weight.is_finite() {
+            row.e / (weight - row.z)
+        } else {
+            0.0
+        };
+        let sigma = 1.0 / (row.s / row.z + give);
+        assert!(close(condensed.sigma, sigma, 1e-12));
         for dc in [-0.1, 0.0, 0.07] {
-            row.recover(1e-3, row.residual(), dc);
+            row.recover(1e-3, dc);
             let eliminated = condensed.force - condensed.sigma * dc;
             assert!(close(row.z + row.dz, eliminated, 1e-12));
         }
@@ -114,7 +146,8 @@ fn steps_stay_inside() {
         for _ in 0..300 {
             let mut row = random_row(&mut random, weight);
             let change = between(&mut random, -2.0, 2.0);
-            row.recover(1e-4, row.residual(), change);
+            row.condense(1e-4);
+            row.recover(1e-4, change);
             let mut longest = 1.0;
             row.limit_step(&mut longest);
             assert!(longest > 0.0 && longest <= 1.0);
@@ -126,7 +159,7 @@ fn steps_stay_inside() {
             }
             // Nothing loses more than 99 % of what it has; the multiplier goes as far as it may on its own.
             let before = row;
-            row.trial = row.c + longest * change;
+            row.c += longest * change;
             row.advance(longest);
             let mut pairs = vec![(before.s, row.s), (before.z, row.z)];
             if weight.is_finite() {
@@ -156,7 +189,7 @@ fn stepped_rows_give_back_slack_that_they_do_not_need() {
     let (s, _) = row.stepped(0.5, -1.0);
     assert!(close(s, row.s + 0.01, 1e-12), "but never more than that");
     let (z, expected) = (row.z, row.s + 0.01);
-    row.trial = -1.0;
+    row.c = -1.0;
     row.advance(0.5);
     assert_eq!((row.c, row.s, row.z), (-1.0, expected, z + 0.5));
 }
@@ -166,8 +199,8 @@ fn barrier_slope_is_that_of_the_barrier() {
     let mut random = Rng::with_seed(18);
     for weight in [20.0, f64::INFINITY] {
         let mut row = random_row(&mut random, weight);
-        let residual = row.residual();
-        row.recover(1e-3, residual, 0.03);
+        row.condense(1e-3);
+        row.recover(1e-3, 0.03);
         let (mu, h) = (1e-2, 1e-6);
         let barrier = |t: f64| {
             let mut merit = Merit::default();
@@ -179,6 +212,96 @@ fn barrier_slope_is_that_of_the_barrier() {
             close(row.barrier_slope(mu), found, 1e-5),
             "{} {found}",
             row.barrier_slope(mu)
+        );
+    }
+}
+
+#[test]
+fn rows_presumed_met_are_positive_and_hardly_violated() {
+    for c in [-0.2, -1e-9, 0.0, 1e-7, 1e-3, 0.4, 30.0] {
+        for weight in [20.0, 3e3, 1e6, f64::INFINITY] {
+            for mu in [1.0, 1e-3, 1e-6] {
+                let mut row = Row::<1>::centered(c, weight, 1.0);
+                row.presume_met(mu);
+                let at = format!("c {c}, weight {weight}, mu {mu}: {row:?}");
+                assert!(row.s > 0.0 && row.z > 0.0 && row.y() > 0.0, "{at}");
+                assert_eq!(row.e > 0.0, weight.is_finite(), "{at}");
+                // Met constraints keep their slack and lie on the central path; violated ones show it as a residual.
+                if c >= 1e-3 {
+                    assert!(row.s == c, "{at}");
+                }
+                if mu / row.s <= 0.5 * weight {
+                    assert!(close(row.s * row.z, mu, 1e-12), "{at}");
+                }
+                if weight.is_finite() {
+                    assert!(close(row.e * (weight - row.z), mu, 1e-9), "{at}");
+                    assert!(row.e <= 2.0 * mu / weight * (1.0 + 1e-12), "{at}");
+                }
+                let residual = row.residual() - row.e;
+                assert!(residual <= 0.0 && residual >= c.min(0.0) - 1e-4, "{at}");
+            }
+        }
+    }
+}
+
+#[test]
+fn reinforced_rows_say_what_they_add() {
+    let mut random = Rng::with_seed(29);
+    for weight in [20.0, 3e3, f64::INFINITY] {
+        let (mut raised, mut at_limit) = (0, 0);
+        for _ in 0..600 {
+            let (mu, limit) = (1e-4, 0.7);
+            let mut row = random_row(&mut random, weight);
+            // Multipliers that are small yet, as of bounds that were far away.
+            row.z *= 10.0_f64.powf(between(&mut random, -4.0, 0.0));
+            let before = row.condense(mu);
+            row.recover(mu, between(&mut random, -2.0, 2.0));
+            let mut own = 1.0;
+            row.limit_step(&mut own);
+            let was = row;
+            let added = row.reinforce(mu, limit);
+            let same = |a: &Row<1>, b: &Row<1>| {
+                (a.s, a.e, a.c, a.ds, a.de, a.dz) == (b.s, b.e, b.c, b.ds, b.de, b.dz)
+            };
+            assert!(same(&row, &was), "only the multiplier changes");
+            let Some(added) = added else {
+                assert!(own >= limit || was.dz <= 0.0, "{own}: {was:?}");
+                assert_eq!(row.z, was.z);
+                continue;
+            };
+            raised += 1;
+            assert!(own < limit, "{own}: {was:?}");
+            assert!(row.z > was.z && row.z < weight, "{was:?} to {row:?}");
+            // As far as one step at least, but for what keeps it below the weight.
+            let full = was.z + was.dz;
+            let most = was.z + 0.99 * was.y();
+            assert!(row.z >= full.min(most) * (1.0 - 1e-12), "{was:?} {row:?}");
+            if weight.is_finite() && close(row.z, most, 1e-12) {
+                at_limit += 1;
+            }
+            let now = row.z;
+            let after = row.condense(mu);
+            assert_eq!(row.z, now);
+            let (sigma, force) = (after.sigma - before.sigma, after.force - before.force);
+            assert!((added.sigma - sigma).abs() <= 1e-12 * (before.sigma + after.sigma));
+            let scale = before.force.abs() + after.force.abs();
+            assert!((added.force - force).abs() <= 1e-12 * scale);
+            // A bound stiffens, but where its violation gives way.
+            let gave = was.weight.is_finite() && row.e / row.y() > 0.5 * was.s / was.z;
+            assert!(gave || after.sigma > before.sigma, "{was:?} to {row:?}");
+            // What it remembers is the raised state: the next direction solves the equations with the new multiplier.
+            let mut again = row;
+            again.recover(mu, 0.01);
+            let slack = row.s * row.z + row.z * again.ds + row.s * again.dz - mu;
+            let terms = row.s * row.z + (row.z * again.ds).abs() + (row.s * again.dz).abs();
+            // The slack's step is a small sum of larger numbers.
+            let lost = 1e-14 * row.z * (row.c.abs() + row.e);
+            assert!(slack.abs() <= 1e-9 * terms + lost, "{slack}: {again:?}");
+        }
+        assert!(raised > 100, "only {raised} of 600 raised");
+        assert!(
+            weight.is_infinite() || at_limit > 5,
+            "only {at_limit} at the weight"
         );
     }
 }

@@ -3,12 +3,11 @@
 use super::derivative_check::{Fault, assert_checked, check};
 use super::{between, regions};
 use crate::constraints::{
-    Abreast, CenterDistance, HalfPlane, NetReach, PointDistance, RungDistance, SeparationAbove,
-    SeparationBelow,
+    Abreast, CenterDistance, HalfPlane, NetReach, PointDistance, SeparationAbove, SeparationBelow,
 };
 use crate::costs::Expansion;
 use crate::pieces::Piece;
-use crate::term::{PAIR, RUNG, Term};
+use crate::term::{PAIR, Term};
 use fastrand::Rng;
 use pairtrawl_geometry::Point;
 use std::f64::consts::{FRAC_2_PI, PI};
@@ -231,70 +230,4 @@ fn point_off_region() {
             }
         }
     }
-}
-
-/// A line between robots that passes a point at a distance, the point at a share of its length.
-fn rung_past(random: &mut Rng, p: Point, aside: f64, share: f64) -> [f64; RUNG] {
-    let along = Point::unit(between(random, -PI, PI));
-    let length = between(random, 0.5, 1.2);
-    let foot = p + along.perp() * aside;
-    let (l, r) = (
-        foot + along * ((1.0 - share) * length),
-        foot - along * (share * length),
-    );
-    [l.x, l.y, r.x, r.y]
-}
-
-#[test]
-fn rung_off_region() {
-    let mut random = Rng::with_seed(9);
-    for region in regions() {
-        let region = Piece::new(&region);
-        let term = RungDistance {
-            region: &region,
-            keep: 0.05,
-        };
-        let mut rough = 0;
-        let mut points = 0;
-        let mut try_at = |z: [f64; RUNG], reach: f64| {
-            points += 1;
-            match check(&term, &z, reach) {
-                Ok(()) => {}
-                Err(Fault::Rough) => rough += 1,
-                fault => panic!("{fault:?}"),
-            }
-        };
-        for _ in 0..150 {
-            try_at(
-                std::array::from_fn(|_| between(&mut random, -1.2, 1.2)),
-                1e-3,
-            );
-        }
-        // Past corners: over the inside of the line, just within and just beyond its ends, near and far, on either side.
-        for &corner in &region.vertices {
-            for aside in [-0.3, -1e-2, 1e-2, 0.3] {
-                for share in [-2e-3, 2e-3, 0.3, 0.5, 1.0 - 2e-3, 1.0 + 2e-3] {
-                    try_at(rung_past(&mut random, corner, aside, share), 2e-4);
-                }
-            }
-        }
-        assert!(
-            20 * rough <= points,
-            "{rough} of {points} points near a kink"
-        );
-    }
-}
-
-#[test]
-fn rung_over_a_corner_bends_as_it_should() {
-    // Box [-0.3, 0.3] x [-0.2, 0.2], line above it, right end lower: its corner (0.3, 0.2) is nearest.
-    let region = Piece::new(&regions()[1]);
-    let term = RungDistance {
-        region: &region,
-        keep: 0.05,
-    };
-    let z = [-0.5, 0.9, 0.9, 0.4];
-    assert_checked(&term, &z, 1e-2);
-    let jet = term.jet(&z);
-    assert!(jet.gradient.iter().all(|g| *g != 0.0), "both ends matter");
 }
