@@ -41,6 +41,7 @@ impl Observer for Progress {
             Stage::Proofs => "looking for a proof of infeasibility",
             Stage::World => "mapping obstacles and objects",
             Stage::Order => "ordering the circles",
+            Stage::Explore => "exploring several starts",
             Stage::Centerline => "searching the centerline",
             Stage::Baseline => "laying out the baseline pair",
             Stage::Optimize => "optimizing both trajectories",

@@ -86,11 +86,11 @@ pub enum Rehearsal {
 pub struct SolverReport {
     /// Its status.
     pub status: SolverStatus,
-    /// Interior-point iterations, over all rounds.
+    /// Interior-point iterations of the last optimization.
     pub iterations: usize,
     /// Scaled KKT error of the returned point.
     pub kkt_error: f64,
-    /// Time spent, s. The only number in a plan that differs between runs.
+    /// Time spent on optimizing from the start that was chosen, s. The only number in a plan that differs between runs.
     pub seconds: f64,
 }
 

@@ -29,8 +29,8 @@ pub(crate) struct Course<'a> {
 
 /// What an attempt starts from.
 pub(crate) enum Origin<'a> {
-    /// A centerline: the baseline follows from it.
-    Centerline(Vec<Pose>),
+    /// A centerline, from which the baseline follows, and the pair to begin with where that is another one.
+    Centerline(Vec<Pose>, Option<PairTrajectory>),
     /// The rest of a plan that was made before, and its net length, m.
     Before(&'a PairTrajectory, f64),
 }
@@ -38,7 +38,7 @@ pub(crate) enum Origin<'a> {
 impl Origin<'_> {
     fn centerline(&self) -> &[Pose] {
         match self {
-            Self::Centerline(line) => line,
+            Self::Centerline(line, _) => line,
             Self::Before(..) => &[],
         }
     }
@@ -46,7 +46,7 @@ impl Origin<'_> {
     /// From a good start the barrier begins low.
     fn settings(&self) -> Settings {
         match self {
-            Self::Centerline(_) => Settings::default(),
+            Self::Centerline(..) => Settings::default(),
             Self::Before(..) => Settings::warm(),
         }
     }
@@ -184,7 +184,7 @@ impl Course<'_> {
     ) -> Solution {
         let settings = origin.settings();
         let first_length = match (self.options.method, origin) {
-            (Method::Joint, Origin::Centerline(_)) => {
+            (Method::Joint, Origin::Centerline(..)) => {
                 return optimize_watched(problem, start, &settings, go_on);
             }
             (Method::Joint, Origin::Before(_, net_length)) => {
@@ -209,12 +209,15 @@ impl Course<'_> {
             options,
             ..
         } = *self;
-        let line = match origin {
+        let (line, pair) = match origin {
             Origin::Before(trajectory, _) => return Ok((*trajectory).clone()),
-            Origin::Centerline(line) => line,
+            Origin::Centerline(line, pair) => (line, pair),
         };
         let given = options.waypoints.or(scene.planner.waypoints);
-        let first = baseline(world, scene, line, order, given)?;
+        let first = match pair {
+            Some(pair) => pair.clone(),
+            None => baseline(world, scene, line, order, given)?,
+        };
         let more = (first.len() as f64 * tightening.waypoints).round() as usize;
         if given.is_none() && more > first.len() {
             return baseline(world, scene, line, order, Some(more));

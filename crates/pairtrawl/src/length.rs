@@ -63,11 +63,12 @@ pub fn length_curve(
         world,
         order,
         centerline,
-        baseline,
+        pair,
     } = CommonStart::new(scene, options, &mut run)?;
-    let origin = Origin::Centerline(centerline);
+    let waypoints = pair.len();
+    let origin = Origin::Centerline(centerline, Some(pair));
     let fixed = PlanOptions {
-        waypoints: Some(baseline.len()),
+        waypoints: Some(waypoints),
         rehearsal: RehearsalMode::Skip,
         time_limit: None,
         ..options.clone()

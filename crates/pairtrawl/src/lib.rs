@@ -58,6 +58,7 @@ mod attempt;
 mod check;
 mod error;
 pub mod execute;
+mod explore;
 pub mod files;
 mod judge;
 mod length;

@@ -7,6 +7,8 @@ pub enum Stage {
     World,
     /// The order in which the circles are visited.
     Order,
+    /// Several starts, optimized once each.
+    Explore,
     /// The pair's centerline.
     Centerline,
     /// The baseline pair.
@@ -26,6 +28,7 @@ impl Stage {
             Self::Proofs => "proofs",
             Self::World => "world",
             Self::Order => "order",
+            Self::Explore => "explore",
             Self::Centerline => "centerline",
             Self::Baseline => "baseline",
             Self::Optimize => "optimize",

@@ -10,9 +10,11 @@ pub struct PlanOptions {
     pub waypoints: Option<usize>,
     /// How the visiting order is found.
     pub order: OrderMethod,
-    /// Greatest number of visiting orders that are explored, in parallel; the one of least cost is planned with, the others
-    /// are tried while no certified plan is found.
+    /// Greatest number of visiting orders; those that are not planned with are tried while no certified plan is found.
     pub orders: usize,
+    /// Whether several starts are optimized, in parallel, and the best one is planned with: the orders, and of the best of
+    /// them baselines in which one robot leads. Else it is the baseline of the shortest order. Only for the joint method.
+    pub explore: bool,
     /// How the centerline is found; `None`: by hybrid A*, and by RRT* when no certified plan follows from that.
     pub centerline: Option<CenterlineMethod>,
     /// How the trajectories are optimized.
@@ -36,6 +38,7 @@ impl Default for PlanOptions {
             waypoints: None,
             order: OrderMethod::Shortest,
             orders: 3,
+            explore: true,
             centerline: None,
             method: Method::Joint,
             seed: 0,

@@ -1,7 +1,8 @@
-//! Planning, on one page of named steps: scene -> world -> order -> centerline -> baseline -> optimize -> certify ->
+//! Planning, on one page of named steps: scene -> world -> order -> explore -> centerline -> baseline -> optimize -> certify ->
 //! (rehearse) -> plan.
 
 use crate::attempt::{Course, Origin};
+use crate::explore::explore;
 use crate::run::Run;
 use crate::starts::starts;
 use crate::{Observer, PlanError, PlanOptions, Stage, waypoints};
@@ -42,11 +43,14 @@ pub fn plan(
         return Err(PlanError::Infeasible { proof });
     }
     let world = run.stage(Stage::World, || World::new(scene, net_length))??;
-    let starts = run.stage(Stage::Order, || starts(&world, scene, options))??;
+    let mut starts = run.stage(Stage::Order, || starts(&world, scene, options))??;
+    run.stage(Stage::Explore, || {
+        explore(&mut starts, &world, scene, options);
+    })?;
 
     // The best start first; the others only while no certified plan is found.
     let mut refused = None;
-    for (failed, start) in starts.iter().enumerate() {
+    for (failed, start) in starts.list.iter().enumerate() {
         let course = Course {
             scene,
             net_length,
@@ -59,7 +63,9 @@ pub fn plan(
                 start.centerline(&world, scene, options.seed)
             })?
             .map_err(PlanError::from)
-            .and_then(|line| course.rehearsed_attempt(&Origin::Centerline(line), &mut run));
+            .and_then(|line| {
+                course.rehearsed_attempt(&Origin::Centerline(line, start.pair.clone()), &mut run)
+            });
         match attempt {
             Ok((attempt, rehearsal)) => {
                 let mut plan = attempt.into_plan(&course, reference, rehearsal.as_ref());

@@ -1,11 +1,10 @@
+use crate::explore::explore;
 use crate::run::Run;
 use crate::{CenterlineMethod, OrderMethod, PlanError, PlanOptions, Stage};
 use pairtrawl_geometry::Pose;
-use pairtrawl_model::{PairTrajectory, Scene, SolverStatus};
+use pairtrawl_model::{PairTrajectory, Scene};
 use pairtrawl_route::{RouteError, baseline, hybrid_a_star, rrt_star, visiting_orders};
-use pairtrawl_trajopt::{Problem, Settings, evaluate, optimize};
 use pairtrawl_world::World;
-use rayon::prelude::*;
 
 /// Samples for each leg of an RRT* centerline.
 const SAMPLES: usize = 3000;
@@ -15,18 +14,28 @@ const SAMPLES: usize = 3000;
 pub(crate) struct Start {
     /// Indices of circles.
     pub order: Vec<usize>,
-    method: CenterlineMethod,
+    pub method: CenterlineMethod,
+    /// The pair to begin with instead of the baseline.
+    pub pair: Option<PairTrajectory>,
     /// What it takes, for people.
     pub name: String,
 }
 
-/// The starts to try one after another, the best first, never empty: visiting orders in rising cost, then in rising length
-/// by RRT*, then the scene's own order. Whatever the user fixed stays fixed.
+/// Starts to try one after another.
+pub(crate) struct Starts {
+    /// Never empty.
+    pub list: Vec<Start>,
+    /// So many of the first ones are worth comparing.
+    pub explored: usize,
+}
+
+/// The starts of a scene: visiting orders in rising length, then the same by RRT*, then the scene's own order. Whatever the
+/// user fixed stays fixed.
 pub(crate) fn starts(
     world: &World,
     scene: &Scene,
     options: &PlanOptions,
-) -> Result<Vec<Start>, RouteError> {
+) -> Result<Starts, RouteError> {
     let (orders, last) = match options.order {
         OrderMethod::Given => (vec![given(world)], None),
         OrderMethod::Shortest => (
@@ -47,6 +56,7 @@ pub(crate) fn starts(
             starts.push(Start {
                 order: order.to_vec(),
                 method,
+                pair: None,
                 name,
             });
         }
@@ -64,38 +74,10 @@ pub(crate) fn starts(
     if let (Some(order), Some(method)) = (last, methods.first()) {
         add(&order, *method, "the scene's own order".to_owned());
     }
-    let explored = orders.len();
-    rank_by_cost(&mut starts[..explored], world, scene, options);
-    Ok(starts)
-}
-
-/// Puts the starts that lead to the least cost first: each is optimized once, in parallel. Those without a solution keep
-/// their places behind.
-fn rank_by_cost(starts: &mut [Start], world: &World, scene: &Scene, options: &PlanOptions) {
-    if starts.len() < 2 {
-        return;
-    }
-    let net_length = options.net_length_for(scene);
-    let given = options.waypoints.or(scene.planner.waypoints);
-    let cost = |start: &Start| -> Option<f64> {
-        let line = start.centerline(world, scene, options.seed).ok()?;
-        let first = baseline(world, scene, &line, &start.order, given).ok()?;
-        let problem = Problem::new(scene, net_length, &world.pieces);
-        let solution = optimize(&problem, &first, &Settings::default());
-        (solution.status == SolverStatus::Converged)
-            .then(|| evaluate(scene, &solution.trajectory, solution.net_length).total())
-    };
-    let costs: Vec<Option<f64>> = starts.par_iter().map(cost).collect();
-    let mut ranked: Vec<(f64, Start)> = costs
-        .into_iter()
-        .map(|cost| cost.unwrap_or(f64::INFINITY))
-        .zip(starts.iter().cloned())
-        .collect();
-    // Stable: equal costs keep the shorter way first.
-    ranked.sort_by(|a, b| a.0.total_cmp(&b.0));
-    for (slot, (_, start)) in starts.iter_mut().zip(ranked) {
-        *slot = start;
-    }
+    Ok(Starts {
+        explored: orders.len(),
+        list: starts,
+    })
 }
 
 /// What studies over the net length have in common: the same start for every length.
@@ -103,32 +85,55 @@ pub(crate) struct CommonStart {
     pub world: World,
     pub order: Vec<usize>,
     pub centerline: Vec<Pose>,
-    pub baseline: PairTrajectory,
+    /// What is optimized from.
+    pub pair: PairTrajectory,
 }
 
 impl CommonStart {
     /// The first start of a scene whose net length is open.
     pub fn new(scene: &Scene, options: &PlanOptions, run: &mut Run) -> Result<Self, PlanError> {
         let world = run.stage(Stage::World, || World::new(scene, None))??;
-        let starts = run.stage(Stage::Order, || starts(&world, scene, options))??;
-        let start = starts.into_iter().next().ok_or_else(PlanError::no_start)?;
+        let mut starts = run.stage(Stage::Order, || starts(&world, scene, options))??;
+        run.stage(Stage::Explore, || {
+            explore(&mut starts, &world, scene, options);
+        })?;
+        let start = starts
+            .list
+            .into_iter()
+            .next()
+            .ok_or_else(PlanError::no_start)?;
         let centerline = run.stage(Stage::Centerline, || {
             start.centerline(&world, scene, options.seed)
         })??;
         let given = options.waypoints.or(scene.planner.waypoints);
-        let baseline = run.stage(Stage::Baseline, || {
-            baseline(&world, scene, &centerline, &start.order, given)
-        })??;
+        let pair = match start.pair {
+            Some(pair) => pair,
+            None => run.stage(Stage::Baseline, || {
+                baseline(&world, scene, &centerline, &start.order, given)
+            })??,
+        };
         Ok(Self {
             world,
             order: start.order,
             centerline,
-            baseline,
+            pair,
         })
     }
 }
 
 impl Start {
+    /// The baseline pair from here.
+    pub fn baseline(
+        &self,
+        world: &World,
+        scene: &Scene,
+        options: &PlanOptions,
+    ) -> Result<PairTrajectory, RouteError> {
+        let line = self.centerline(world, scene, options.seed)?;
+        let given = options.waypoints.or(scene.planner.waypoints);
+        baseline(world, scene, &line, &self.order, given)
+    }
+
     /// The pair's centerline from here.
     pub fn centerline(
         &self,

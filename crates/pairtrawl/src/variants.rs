@@ -28,7 +28,9 @@ pub fn separation_study(
 ) -> Result<SeparationStudy, PlanError> {
     let mut run = Run::new(options, observer);
     let CommonStart {
-        world, baseline, ..
+        world,
+        pair: baseline,
+        ..
     } = CommonStart::new(scene, options, &mut run)?;
     let problem = |net_length| Problem::new(scene, Some(net_length), &world.pieces);
     let settings = Settings::default();

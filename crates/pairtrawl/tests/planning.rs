@@ -64,6 +64,7 @@ fn stages_run_in_order_and_are_timed() {
         Stage::Proofs,
         Stage::World,
         Stage::Order,
+        Stage::Explore,
         Stage::Centerline,
         Stage::Baseline,
         Stage::Optimize,

@@ -16,7 +16,7 @@ mod polyline;
 mod random;
 mod terrain;
 
-pub use baseline::baseline;
+pub use baseline::{baseline, with_lead};
 pub use centerline::{hybrid_a_star, rrt_star};
 pub use error::RouteError;
 pub use order::{EXACT_LIMIT, visiting_order, visiting_orders};

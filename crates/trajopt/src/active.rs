@@ -241,7 +241,7 @@ impl ActiveSet {
         let bounds = problem.step_bounds();
         for i in 0..n - 1 {
             for robot in 0..2 {
-                let step = x.step(i, robot);
+                let step = problem.step(x, i, robot);
                 set.frames.push(step);
                 for (kind, bound) in bounds.iter().enumerate() {
                     let weight = if kind == TURN_COST {

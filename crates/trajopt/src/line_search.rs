@@ -73,7 +73,7 @@ impl ActiveSet {
         let bounds = problem.step_bounds();
         let steps = self.steps.chunks_exact_mut(STEP_BOUNDS);
         for ((at, rows), frame) in steps.enumerate().zip(&mut self.frames) {
-            let step = x.step(at / 2, at % 2);
+            let step = problem.step(x, at / 2, at % 2);
             *frame = step;
             merit.theta += step.across.abs();
             merit.cost += problem.distance_weight() * step.along;

@@ -11,6 +11,8 @@ pub struct Solution {
     pub trajectory: PairTrajectory,
     /// d_max, m.
     pub net_length: f64,
+    /// What was minimized: J and the price of margins that gave way.
+    pub objective: f64,
     /// How it ended.
     pub status: SolverStatus,
     /// Interior-point iterations.
@@ -90,6 +92,7 @@ pub fn optimize_from(
     Solution {
         trajectory: state.x.to_trajectory(start.step_time),
         net_length: state.x.net_length,
+        objective: state.merit.cost + state.merit.elastic,
         status,
         iterations: state.iterations,
         residuals: state.residuals,

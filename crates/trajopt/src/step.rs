@@ -4,6 +4,7 @@
 //! dx sin psi` (h), `turn = delta phi`. Every cost and constraint of a step is linear in these three; what bends is the frame:
 //! `d along = cos ddx + sin ddy + across dpsi`, `d across = cos ddy - sin ddx - along dpsi`.
 
+use crate::iterate::Iterate;
 use crate::problem::Problem;
 
 /// A step in its frame.
@@ -65,6 +66,23 @@ impl Problem {
             bound(Turn, -1.0, turn),
             bound(Turn, -1.0, 0.0),
         ]
+    }
+}
+
+impl Problem {
+    /// A robot-step of an iterate. That of a robot that is held where it is stands for nothing to be met or mended: it keeps
+    /// off every bound.
+    pub(crate) fn step(&self, x: &Iterate, i: usize, robot: usize) -> Step {
+        if self.frozen == Some(robot) {
+            return Step {
+                along: 0.5 * self.planner.max_step,
+                across: 0.0,
+                turn: 0.0,
+                sin: 0.0,
+                cos: 1.0,
+            };
+        }
+        x.step(i, robot)
     }
 }
 

@@ -16,6 +16,10 @@ pub struct PlanningArguments {
     #[arg(long, value_enum, default_value_t = Order::Shortest)]
     pub order: Order,
 
+    /// Optimize once, from the shortest order's baseline, instead of the best of several starts
+    #[arg(long)]
+    pub no_explore: bool,
+
     /// How the pair's centerline is searched; left out: hybrid A*, then RRT* while no plan is found
     #[arg(long, value_enum)]
     pub centerline: Option<Centerline>,
@@ -58,6 +62,7 @@ impl PlanningArguments {
             net_length: self.net_length,
             waypoints: self.waypoints.map(|n| n as usize),
             order: self.order.into(),
+            explore: !self.no_explore,
             centerline: self.centerline.map(Into::into),
             method: self.method.into(),
             seed: self.seed,

@@ -2,6 +2,7 @@
 
 mod band;
 mod candidates;
+mod lead;
 #[cfg(test)]
 mod tests;
 mod timing;
@@ -11,6 +12,7 @@ use crate::RouteError;
 use crate::centerline::check_order;
 use crate::polyline::{resample, with_headings};
 use crate::terrain::Terrain;
+pub use lead::with_lead;
 use pairtrawl_geometry::{Point, Pose};
 use pairtrawl_model::{Circle, PairTrajectory, Scene};
 use pairtrawl_world::World;

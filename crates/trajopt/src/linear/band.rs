@@ -47,27 +47,18 @@ impl BandMatrix {
 
     /// Subtracts from a right-hand side of a diagonal block what the variables outside of it, which stay at `x`, contribute.
     pub fn subtract_outside(&self, block: Range<usize>, x: &[f64], rhs: &mut [f64]) {
-        let first = block.start;
-        for (c, column) in self.columns[..first]
-            .iter()
-            .enumerate()
-            .rev()
-            .take(HALF_BANDWIDTH)
-        {
-            for (r, entry) in (c..).zip(column).skip(first - c) {
-                rhs[r - first] -= entry * x[c];
+        let before = block.start.saturating_sub(HALF_BANDWIDTH)..block.start;
+        for c in before {
+            let reach = block.end.min(c + COLUMN);
+            for r in block.start..reach {
+                rhs[r - block.start] -= self.columns[c][r - c] * x[c];
             }
         }
-        for (r, column) in self
-            .columns
-            .iter()
-            .enumerate()
-            .take(block.end)
-            .rev()
-            .take(HALF_BANDWIDTH)
-        {
-            for (entry, x) in column.iter().zip(&x[r..]).skip(block.end - r) {
-                rhs[r - first] -= entry * x;
+        let last = block.end.saturating_sub(HALF_BANDWIDTH).max(block.start)..block.end;
+        for c in last {
+            let reach = self.columns.len().min(c + COLUMN);
+            for r in block.end..reach {
+                rhs[c - block.start] -= self.columns[c][r - c] * x[r];
             }
         }
     }

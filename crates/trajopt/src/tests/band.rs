@@ -71,21 +71,22 @@ fn solves_as_a_dense_matrix_does() {
         for shift in [0.0, 3.0] {
             let mut dense = random_matrix(&mut random, order);
             let mut matrix = BandMatrix::default();
-            matrix.copy_shifted(&banded(&dense), shift);
+            matrix.copy_block(&banded(&dense), 0..order, shift);
             for (i, row) in dense.iter_mut().enumerate() {
                 row[i] += shift;
             }
             let b: Vec<f64> = (0..order)
                 .map(|_| between(&mut random, -1.0, 1.0))
                 .collect();
-            let mut x = b.clone();
+            let (mut x, mut twice) = (b.clone(), b.iter().map(|b| 2.0 * b).collect::<Vec<_>>());
             assert_eq!(matrix.factorize(1e-8), Ok(()));
-            matrix.solve(&mut x);
-            for (x, y) in x.iter().zip(dense_solve(dense, b)) {
+            matrix.solve([&mut x, &mut twice]);
+            for ((x, twice), y) in x.iter().zip(twice).zip(dense_solve(dense, b)) {
                 assert!(
                     (x - y).abs() < 1e-10 * (1.0 + y.abs()),
                     "{x} for {y} of {order}"
                 );
+                assert_eq!(twice, 2.0 * x, "either right-hand side alike");
             }
         }
     }
@@ -120,6 +121,32 @@ fn resetting_forgets() {
     }
     let mut x = vec![1.0; 15];
     matrix.factorize(1e-8).expect("twice the identity");
-    matrix.solve(&mut x);
+    matrix.solve([&mut x]);
     assert_eq!(x, vec![0.5; 15]);
+}
+
+#[test]
+fn a_block_is_solved_with_all_else_in_its_place() {
+    let mut random = Rng::with_seed(15);
+    let order = 50;
+    let dense = random_matrix(&mut random, order);
+    let matrix = banded(&dense);
+    let b: Vec<f64> = (0..order)
+        .map(|_| between(&mut random, -1.0, 1.0))
+        .collect();
+    let x = dense_solve(dense, b.clone());
+    for block in [0..order, 0..20, 7..31, 20..21, 33..order, 0..5, 45..order] {
+        // What is outside stands at the solution, what is inside has no part in it.
+        let mut outside = x.clone();
+        outside[block.clone()].fill(1e3);
+        let mut rhs = b[block.clone()].to_vec();
+        matrix.subtract_outside(block.clone(), &outside, &mut rhs);
+        let mut part = BandMatrix::default();
+        part.copy_block(&matrix, block.clone(), 0.0);
+        part.factorize(1e-8).expect("positive definite");
+        part.solve([&mut rhs]);
+        for (found, x) in rhs.iter().zip(&x[block.clone()]) {
+            assert!((found - x).abs() < 1e-9, "{found} for {x} in {block:?}");
+        }
+    }
 }

@@ -11,6 +11,7 @@ mod line_search;
 mod look_up;
 mod matrix;
 mod optimality;
+mod parts;
 mod quads;
 mod reinforcement;
 mod rows;
