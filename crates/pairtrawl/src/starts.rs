@@ -74,8 +74,10 @@ pub(crate) fn starts(
     if let (Some(order), Some(method)) = (last, methods.first()) {
         add(&order, *method, "the scene's own order".to_owned());
     }
+    // The orders, and the shortest one along the way that RRT* finds, which may pass obstacles on other sides.
+    let explored = orders.len() + methods.len() - 1;
     Ok(Starts {
-        explored: orders.len(),
+        explored,
         list: starts,
     })
 }
