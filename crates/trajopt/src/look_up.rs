@@ -143,22 +143,21 @@ impl ActiveSet {
         let (l, r) = (x.position(step, 0), x.position(step, 1));
         let (to_l, to_r) = (x.position(step + 1, 0), x.position(step + 1, 1));
         candidates.clear();
+        let farthest = l.distance(to_l).max(r.distance(to_r));
+        let reach = problem.reserve.net_clearance + NET_AHEAD + farthest;
         // Near enough to each other that what is near the line is found from one of them.
         let stretches = (l.distance(r) / SEARCH_RADIUS).ceil().max(1.0);
         for k in 0..=stretches as usize {
             let p = l.lerp(r, k as f64 / stretches);
-            candidates.extend_from_slice(problem.pieces.near(p));
+            let may_be_near = |id: &&u32| problem.pieces.get(**id).may_be_near(l, r, reach);
+            candidates.extend(problem.pieces.near(p).iter().filter(may_be_near));
         }
         candidates.sort_unstable();
         candidates.dedup();
         for &mut id in candidates {
-            let reach =
-                problem.reserve.net_clearance + NET_AHEAD + l.distance(to_l).max(r.distance(to_r));
-            if problem.pieces.get(id).may_be_near(l, r, reach) {
-                let c = problem.quad_distance(id, Tier::Margin).value(&quad);
-                if c < NET_AHEAD {
-                    near.push((c, id));
-                }
+            let c = problem.quad_distance(id, Tier::Margin).value(&quad);
+            if c < NET_AHEAD {
+                near.push((c, id));
             }
         }
         for &piece in keep_nearest(near) {
@@ -222,8 +221,10 @@ fn side_plane(problem: &Problem, x: &Iterate, i: usize, object: usize, robot: u8
 
 /// The ids of the nearest few, ascending.
 fn keep_nearest(near: &mut Vec<(f64, u32)>) -> impl Iterator<Item = &u32> {
-    near.sort_unstable_by(|a, b| a.0.total_cmp(&b.0).then(a.1.cmp(&b.1)));
-    near.truncate(MOST_PIECES);
+    if near.len() > MOST_PIECES {
+        near.sort_unstable_by(|a, b| a.0.total_cmp(&b.0).then(a.1.cmp(&b.1)));
+        near.truncate(MOST_PIECES);
+    }
     near.sort_unstable_by_key(|n| n.1);
     near.iter().map(|(_, id)| id)
 }
