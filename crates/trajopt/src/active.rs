@@ -107,6 +107,7 @@ impl QuadRow {
 }
 
 /// Runs a block for every row.
+#[cfg(test)]
 macro_rules! each_row {
     ($set:expr, $row:ident, $with:block) => {
         for $row in &$set.steps $with

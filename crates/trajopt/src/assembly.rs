@@ -6,10 +6,10 @@
 use crate::active::{ActiveSet, slope_of};
 use crate::iterate::{Iterate, STAGE};
 use crate::linear::BandMatrix;
+use crate::local::Local;
 use crate::problem::Problem;
-use crate::row::{Condensed, Row};
 use crate::step::{Coordinate, STEP_BOUNDS, Step};
-use crate::term::{Jet, PAIR, POINT, QUAD, Term};
+use crate::term::{PAIR, POINT, QUAD, Term};
 
 /// Dual regularization of the equalities.
 pub(crate) const DUAL_REGULARIZATION: f64 = 1e-9;
@@ -40,74 +40,6 @@ pub(crate) struct LengthEntries {
     pub gradient: f64,
     pub lagrangian: f64,
     pub objective: f64,
-}
-
-/// Gradient and Hessian gathered in local coordinates before they are scattered once.
-pub(crate) struct Local<const K: usize> {
-    gradient: [f64; K],
-    lagrangian: [f64; K],
-    objective: [f64; K],
-    hessian: [[f64; K]; K],
-}
-
-impl<const K: usize> Local<K> {
-    fn new() -> Self {
-        Self {
-            gradient: [0.0; K],
-            lagrangian: [0.0; K],
-            objective: [0.0; K],
-            hessian: [[0.0; K]; K],
-        }
-    }
-
-    /// What a row adds to matrix and gradient.
-    pub fn of_row(g: &[f64; K], Condensed { sigma, force }: Condensed) -> Self {
-        let mut local = Self::new();
-        for i in 0..K {
-            local.gradient[i] = -force * g[i];
-            for j in 0..K {
-                local.hessian[i][j] = sigma * g[i] * g[j];
-            }
-        }
-        local
-    }
-
-    #[inline]
-    fn add_gradient(&mut self, jet: &Jet<K>) {
-        for i in 0..K {
-            self.gradient[i] += jet.gradient[i];
-            self.lagrangian[i] += jet.gradient[i];
-            self.objective[i] += jet.gradient[i];
-        }
-    }
-
-    #[inline]
-    fn add_cost(&mut self, jet: &Jet<K>) {
-        self.add_gradient(jet);
-        for i in 0..K {
-            for j in 0..K {
-                self.hessian[i][j] += jet.hessian[i][j];
-            }
-        }
-    }
-
-    /// Constraints lend no curvature of their own: what they have is mostly negative (distances from convex things are to
-    /// be large), and small against that of the taut paths.
-    #[inline]
-    fn add_row(&mut self, row: &mut Row<K>, (value, gradient): (f64, [f64; K]), mu: f64) {
-        row.c = value;
-        row.gradient = gradient;
-        let condensed = row.condense(mu);
-        for i in 0..K {
-            let g = gradient[i];
-            self.gradient[i] -= condensed.force * g;
-            self.lagrangian[i] -= row.z * g;
-            let sg = condensed.sigma * g;
-            for (h, other) in self.hessian[i].iter_mut().zip(&gradient) {
-                *h += sg * other;
-            }
-        }
-    }
 }
 
 /// First and second derivatives over one step, in `along`, `across`, `turn`.

@@ -27,6 +27,7 @@ mod interior_point;
 mod iterate;
 mod line_search;
 mod linear;
+mod local;
 mod look_up;
 mod merit;
 mod newton;

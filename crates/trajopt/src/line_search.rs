@@ -20,8 +20,7 @@ impl Workspace {
             theta: state.merit.theta,
             phi: state.merit.phi(mu),
         };
-        let mut slope = self.newton.objective_slope(&self.system);
-        each_row!(state.set, row, { slope += row.barrier_slope(mu) });
+        let slope = self.newton.slope(&self.system);
         let mut alpha = longest;
         let reached = loop {
             self.trial

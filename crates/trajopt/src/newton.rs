@@ -22,6 +22,8 @@ pub(crate) struct Newton {
     pub lambda: Vec<f64>,
     /// Longest primal step that the rows of each stage, and of the step from it, allow.
     pub limits: Vec<f64>,
+    /// Slope of the barrier function along the direction by the same rows.
+    slopes: Vec<f64>,
     shift: f64,
 }
 
@@ -85,9 +87,11 @@ impl Newton {
         self.arrow.iter().all(|d| d.is_finite())
     }
 
-    /// Slope of the objective along the direction.
-    pub fn objective_slope(&self, system: &System) -> f64 {
-        dot(&system.objective, &self.direction) + system.length.objective * self.length
+    /// Slope of the barrier function along the direction.
+    pub fn slope(&self, system: &System) -> f64 {
+        let objective = dot(&system.objective, &self.direction);
+        let barrier: f64 = self.slopes.iter().sum();
+        objective + system.length.objective * self.length + barrier
     }
 
     fn stage(&self, i: usize, count: usize) -> [f64; STAGE] {
@@ -114,6 +118,7 @@ impl Newton {
         let count = state.x.stages.len();
         self.lambda.clone_from(&state.lambda);
         self.limits.resize(count, 1.0);
+        self.slopes.resize(count, 0.0);
         self.recover_part(state, frozen, 0..count);
     }
 
@@ -121,6 +126,7 @@ impl Newton {
     pub fn recover_part(&mut self, state: &mut State, frozen: Option<usize>, part: Range<usize>) {
         let (count, mu, set) = (state.x.stages.len(), state.mu, &mut state.set);
         self.limits[part.clone()].fill(1.0);
+        self.slopes[part.clone()].fill(0.0);
         let steps = part.start..part.end.min(count - 1);
         for (i, robot) in steps.flat_map(|i| [(i, 0), (i, 1)]) {
             let at = 2 * i + robot;
@@ -135,7 +141,12 @@ impl Newton {
                 } else {
                     turn
                 };
-                finish(row, mu, &[change], &mut self.limits[i]);
+                finish(
+                    row,
+                    mu,
+                    &[change],
+                    (&mut self.limits[i], &mut self.slopes[i]),
+                );
             }
             if frozen != Some(robot) {
                 self.lambda[at] = state.lambda[at] + (step.across + across) / DUAL_REGULARIZATION;
@@ -145,20 +156,35 @@ impl Newton {
             let i = pair.stage as usize;
             let d = self.stage(i, count);
             let local: [f64; PAIR] = [d[0] - d[3], d[1] - d[4], d[2], d[5], self.length];
-            finish(&mut pair.row, mu, &local, &mut self.limits[i]);
+            finish(
+                &mut pair.row,
+                mu,
+                &local,
+                (&mut self.limits[i], &mut self.slopes[i]),
+            );
         }
         for point in within(&mut set.points, &part, |p| p.stage) {
             let i = point.stage as usize;
             let d = self.stage(i, count);
             let k = 3 * point.robot as usize;
             let local = [d[k], d[k + 1]];
-            finish(&mut point.row, mu, &local, &mut self.limits[i]);
+            finish(
+                &mut point.row,
+                mu,
+                &local,
+                (&mut self.limits[i], &mut self.slopes[i]),
+            );
         }
         for quad in within(&mut set.quads, &part, |q| q.step) {
             let i = quad.step as usize;
             let (a, b) = (self.stage(i, count), self.stage(i + 1, count));
             let local = [a[0], a[1], a[3], a[4], b[0], b[1], b[3], b[4]];
-            finish(&mut quad.row, mu, &local, &mut self.limits[i]);
+            finish(
+                &mut quad.row,
+                mu,
+                &local,
+                (&mut self.limits[i], &mut self.slopes[i]),
+            );
         }
     }
 }
@@ -185,9 +211,15 @@ pub(crate) fn coordinate_of(kind: usize) -> Coordinate {
 }
 
 #[inline]
-fn finish<const K: usize>(row: &mut Row<K>, mu: f64, local: &[f64; K], longest: &mut f64) {
+fn finish<const K: usize>(
+    row: &mut Row<K>,
+    mu: f64,
+    local: &[f64; K],
+    (limit, slope): (&mut f64, &mut f64),
+) {
     row.recover(mu, inner(&row.gradient, local));
-    row.limit_step(longest);
+    row.limit_step(limit);
+    *slope += row.barrier_slope(mu);
 }
 
 #[inline]

@@ -5,8 +5,9 @@
 //! direction is found again: the others then go almost as far as they want. On a long course that is done where such rows
 //! are, and the rest of the direction stays.
 
-use crate::assembly::{Local, StepDerivatives, System, base};
+use crate::assembly::{StepDerivatives, System, base};
 use crate::interior_point::{State, Workspace};
+use crate::local::Local;
 use crate::newton::{coordinate_of, within};
 use crate::problem::Problem;
 use crate::row::Condensed;

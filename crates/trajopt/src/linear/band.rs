@@ -56,9 +56,9 @@ impl BandMatrix {
         }
         let last = block.end.saturating_sub(HALF_BANDWIDTH).max(block.start)..block.end;
         for c in last {
-            let reach = self.columns.len().min(c + COLUMN);
-            for r in block.end..reach {
-                rhs[c - block.start] -= self.columns[c][r - c] * x[r];
+            let entries = &self.columns[c][block.end - c..];
+            for (entry, x) in entries.iter().zip(&x[block.end..]) {
+                rhs[c - block.start] -= entry * x;
             }
         }
     }

@@ -3,9 +3,10 @@
 use super::between;
 use super::case::{Case, shaken};
 use crate::active::slope_of;
-use crate::assembly::{DUAL_REGULARIZATION, Local, System};
+use crate::assembly::{DUAL_REGULARIZATION, System};
 use crate::interior_point::State;
 use crate::iterate::STAGE;
+use crate::local::Local;
 use crate::newton::Newton;
 use crate::row::{Condensed, Row};
 use crate::term::{QUAD, Term};

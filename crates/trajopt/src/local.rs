@@ -1,0 +1,68 @@
+//! What one cost or row adds to the condensed system, in its own coordinates.
+
+use crate::row::{Condensed, Row};
+use crate::term::Jet;
+
+/// Gradient and Hessian gathered in local coordinates before they are scattered once.
+pub(crate) struct Local<const K: usize> {
+    pub gradient: [f64; K],
+    pub lagrangian: [f64; K],
+    pub objective: [f64; K],
+    pub hessian: [[f64; K]; K],
+}
+
+impl<const K: usize> Local<K> {
+    pub fn new() -> Self {
+        Self {
+            gradient: [0.0; K],
+            lagrangian: [0.0; K],
+            objective: [0.0; K],
+            hessian: [[0.0; K]; K],
+        }
+    }
+
+    /// What a row adds to matrix and gradient.
+    pub fn of_row(g: &[f64; K], Condensed { sigma, force }: Condensed) -> Self {
+        let mut local = Self::new();
+        for i in 0..K {
+            local.gradient[i] = -force * g[i];
+            for j in 0..K {
+                local.hessian[i][j] = sigma * g[i] * g[j];
+            }
+        }
+        local
+    }
+
+    /// Adds a cost.
+    #[inline]
+    pub fn add_cost(&mut self, jet: &Jet<K>) {
+        for i in 0..K {
+            self.gradient[i] += jet.gradient[i];
+            self.lagrangian[i] += jet.gradient[i];
+            self.objective[i] += jet.gradient[i];
+            for j in 0..K {
+                self.hessian[i][j] += jet.hessian[i][j];
+            }
+        }
+    }
+
+    /// Adds a row, which remembers its value and gradient.
+    ///
+    /// Constraints lend no curvature of their own: what they have is mostly negative (distances from convex things are to
+    /// be large), and small against that of the taut paths.
+    #[inline]
+    pub fn add_row(&mut self, row: &mut Row<K>, (value, gradient): (f64, [f64; K]), mu: f64) {
+        row.c = value;
+        row.gradient = gradient;
+        let condensed = row.condense(mu);
+        for i in 0..K {
+            let g = gradient[i];
+            self.gradient[i] -= condensed.force * g;
+            self.lagrangian[i] -= row.z * g;
+            let sg = condensed.sigma * g;
+            for (h, other) in self.hessian[i].iter_mut().zip(&gradient) {
+                *h += sg * other;
+            }
+        }
+    }
+}
