@@ -21,6 +21,8 @@ struct Outcome {
     ms: f64,
     iterations: f64,
     certified: bool,
+    /// Claims that fail, and by how much.
+    failed: Vec<String>,
     status: SolverStatus,
 }
 
@@ -34,6 +36,12 @@ fn timed(scene: &pairtrawl_model::Scene, solve: impl Fn() -> Solution) -> (Outco
         ms,
         iterations: solution.iterations as f64,
         certified: certificate.is_valid(),
+        failed: certificate
+            .claims
+            .iter()
+            .filter(|claim| !claim.holds)
+            .map(|claim| format!("{} {:.2e}", claim.name, claim.margin))
+            .collect(),
         status: solution.status,
     };
     (outcome, solution)
@@ -44,8 +52,9 @@ fn report(kind: &str, difficulty: u8, seed: u64, outcome: &Outcome, solution: &S
     if !outcome.certified {
         let worst = solution.violations.first();
         println!(
-            "  {kind}, difficulty {difficulty} seed {seed}: {:?} {worst:?}",
-            outcome.status
+            "  {kind}, difficulty {difficulty} seed {seed}: {:?}, fails: {}, worst: {worst:?}",
+            outcome.status,
+            outcome.failed.join(", ")
         );
     }
 }
