@@ -10,25 +10,33 @@ use rayon::prelude::*;
 
 /// How a baseline is varied.
 #[derive(Clone, Copy, Debug)]
-enum Variation {
+struct Variation {
     /// The left robot is this many waypoints ahead.
-    Lead(f64),
+    lead: f64,
     /// This robot is optimized first, the other one held where it is, and then the other one: a round of Algorithm 1.
-    First(usize),
+    first: Option<usize>,
 }
 
-const VARIATIONS: [Variation; 6] = [
-    Variation::Lead(-10.0),
-    Variation::Lead(-5.0),
-    Variation::Lead(5.0),
-    Variation::Lead(10.0),
-    Variation::First(0),
-    Variation::First(1),
+const fn varied(lead: f64, first: Option<usize>) -> Variation {
+    Variation { lead, first }
+}
+
+const VARIATIONS: [Variation; 10] = [
+    varied(-10.0, None),
+    varied(-5.0, None),
+    varied(5.0, None),
+    varied(10.0, None),
+    varied(0.0, Some(0)),
+    varied(0.0, Some(1)),
+    varied(-10.0, Some(0)),
+    varied(-10.0, Some(1)),
+    varied(10.0, Some(0)),
+    varied(10.0, Some(1)),
 ];
 /// Baselines are varied of orders that cost at most this many times the least.
 const WORTH_VARYING: f64 = 1.02;
-/// Waypoints of a course beyond which nothing is varied: it would take longer than everything else.
-const MOST_WAYPOINTS: usize = 5000;
+/// Waypoints of all variations together, at most: it would take longer than everything else.
+const MOST_WAYPOINTS: usize = 30_000;
 
 /// A start, and what the optimum from there costs; infinite when there is none.
 struct Explored {
@@ -61,16 +69,22 @@ pub(crate) fn explore(starts: &mut Starts, world: &World, scene: &Scene, options
     let Some(least) = ranked.first().map(|(order, _)| order.objective) else {
         return;
     };
+    let mut left = MOST_WAYPOINTS;
+    let mut within_budget = |pair: &PairTrajectory| {
+        let rest = left.checked_sub(VARIATIONS.len() * pair.len());
+        left = rest.unwrap_or(left);
+        rest.is_some()
+    };
     let varied: Vec<(&Start, &PairTrajectory, Variation)> = ranked
         .iter()
         .filter(|(order, _)| order.objective <= WORTH_VARYING * least)
         .filter_map(|(order, first)| Some((&order.start, first.as_ref()?)))
-        .filter(|(_, first)| first.len() <= MOST_WAYPOINTS)
+        .filter(|(_, first)| within_budget(first))
         .flat_map(|(start, first)| VARIATIONS.map(|variation| (start, first, variation)))
         .collect();
     let better = varied
         .par_iter()
-        .filter_map(|&(start, first, variation)| variation.explored(&problem, start, first))
+        .filter_map(|&(start, baseline, variation)| variation.explored(&problem, start, baseline))
         .collect::<Vec<_>>()
         .into_iter()
         .filter(|varied| varied.objective < least)
@@ -88,16 +102,14 @@ impl Variation {
         start: &Start,
         baseline: &PairTrajectory,
     ) -> Option<Explored> {
-        let pair = match self {
-            Self::Lead(lead) => with_lead(baseline, lead),
-            Self::First(robot) => {
-                let mut one = problem.clone();
-                one.frozen = Some(1 - robot);
-                let first = optimize(&one, baseline, &Settings::default());
-                one.frozen = Some(robot);
-                optimize(&one, &first.trajectory, &Settings::default()).trajectory
+        let mut pair = with_lead(baseline, self.lead);
+        if let Some(robot) = self.first {
+            let mut one = problem.clone();
+            for held in [1 - robot, robot] {
+                one.frozen = Some(held);
+                pair = optimize(&one, &pair, &Settings::default()).trajectory;
             }
-        };
+        }
         let objective = optimum(problem, &pair)?.objective;
         let start = Start {
             pair: Some(pair),

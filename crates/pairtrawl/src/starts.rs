@@ -1,6 +1,6 @@
 use crate::explore::explore;
 use crate::run::Run;
-use crate::{CenterlineMethod, OrderMethod, PlanError, PlanOptions, Stage};
+use crate::{CenterlineMethod, NetLength, OrderMethod, PlanError, PlanOptions, Stage};
 use pairtrawl_geometry::Pose;
 use pairtrawl_model::{PairTrajectory, Scene};
 use pairtrawl_route::{RouteError, baseline, hybrid_a_star, rrt_star, visiting_orders};
@@ -92,12 +92,16 @@ pub(crate) struct CommonStart {
 }
 
 impl CommonStart {
-    /// The first start of a scene whose net length is open.
+    /// The start that is best with the net length open.
     pub fn new(scene: &Scene, options: &PlanOptions, run: &mut Run) -> Result<Self, PlanError> {
         let world = run.stage(Stage::World, || World::new(scene, None))??;
         let mut starts = run.stage(Stage::Order, || starts(&world, scene, options))??;
+        let open = PlanOptions {
+            net_length: Some(NetLength::Auto),
+            ..options.clone()
+        };
         run.stage(Stage::Explore, || {
-            explore(&mut starts, &world, scene, options);
+            explore(&mut starts, &world, scene, &open);
         })?;
         let start = starts
             .list
