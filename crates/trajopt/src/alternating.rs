@@ -12,7 +12,7 @@ pub enum FirstLength {
     /// That of the joint problem: the start's separation at rest.
     #[default]
     Bounded,
-    /// As printed: `N dL_max`, many times what the task needs; from there rounds may end far off.
+    /// As printed: `N dL_max`, many times what the task needs.
     Printed,
 }
 
