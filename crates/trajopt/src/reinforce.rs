@@ -3,7 +3,7 @@
 //! A slack that shrinks too fast would end the step of the whole course early, one row of a hundred thousand. Its multiplier
 //! is still small, so that the condensed matrix hardly resists. Such rows take the step of their multiplier at once, and the
 //! direction is found again: the others then go almost as far as they want. On a long course that is done where such rows
-//! are, and the rest of the direction stays.
+//! are, and the rest of the direction stays. The curvature of the slip's frame stays that of the assembled multipliers.
 
 use crate::assembly::{StepDerivatives, System, base};
 use crate::interior_point::{State, Workspace};
