@@ -35,7 +35,7 @@ impl Point {
 
     /// Euclidean length.
     pub fn norm(self) -> f64 {
-        // Not hypot, which is many times slower to be exact near overflow.
+        // Not hypot, which is many times slower to be exact near overflow, and may differ between machines.
         self.norm_squared().sqrt()
     }
 

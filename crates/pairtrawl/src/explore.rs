@@ -4,7 +4,7 @@ use crate::starts::{Start, Starts};
 use crate::{Method, PlanOptions};
 use pairtrawl_model::{PairTrajectory, Scene, SolverStatus};
 use pairtrawl_route::with_lead;
-use pairtrawl_trajopt::{Problem, Settings, Solution, optimize};
+use pairtrawl_trajopt::{Problem, Settings, optimize};
 use pairtrawl_world::World;
 use rayon::prelude::*;
 
@@ -54,10 +54,10 @@ pub(crate) fn explore(starts: &mut Starts, world: &World, scene: &Scene, options
     let mut ranked: Vec<(Explored, Option<PairTrajectory>)> = orders
         .par_iter()
         .map(|start| {
+            let start = start.with_line(world, scene, options.seed);
             let first = start.baseline(world, scene, options).ok();
-            let cost = |first| optimum(&problem, first).map(|s| s.objective);
-            let objective = first.as_ref().and_then(cost).unwrap_or(f64::INFINITY);
-            let start = start.clone();
+            let least = first.as_ref().and_then(|first| optimum(&problem, first));
+            let objective = least.unwrap_or(f64::INFINITY);
             (Explored { start, objective }, first)
         })
         .collect();
@@ -110,17 +110,14 @@ impl Variation {
                 pair = optimize(&one, &pair, &Settings::default()).trajectory;
             }
         }
-        let objective = optimum(problem, &pair)?.objective;
-        let start = Start {
-            pair: Some(pair),
-            ..start.clone()
-        };
+        let objective = optimum(problem, &pair)?;
+        let start = start.with_pair(pair);
         Some(Explored { start, objective })
     }
 }
 
-/// The optimum from a pair, unless there is none.
-fn optimum(problem: &Problem, pair: &PairTrajectory) -> Option<Solution> {
+/// What the optimum from a pair costs, unless there is none.
+fn optimum(problem: &Problem, pair: &PairTrajectory) -> Option<f64> {
     let solution = optimize(problem, pair, &Settings::default());
-    (solution.status == SolverStatus::Converged).then_some(solution)
+    (solution.status == SolverStatus::Converged).then_some(solution.objective)
 }

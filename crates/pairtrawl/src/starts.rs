@@ -14,7 +14,9 @@ const SAMPLES: usize = 3000;
 pub(crate) struct Start {
     /// Indices of circles.
     pub order: Vec<usize>,
-    pub method: CenterlineMethod,
+    method: CenterlineMethod,
+    /// The centerline, once it is found.
+    line: Option<Vec<Pose>>,
     /// The pair to begin with instead of the baseline.
     pub pair: Option<PairTrajectory>,
     /// What it takes, for people.
@@ -56,6 +58,7 @@ pub(crate) fn starts(
             starts.push(Start {
                 order: order.to_vec(),
                 method,
+                line: None,
                 pair: None,
                 name,
             });
@@ -140,6 +143,22 @@ impl Start {
         baseline(world, scene, &line, &self.order, given)
     }
 
+    /// The same with its centerline found, where there is one: it need not be searched again.
+    pub fn with_line(&self, world: &World, scene: &Scene, seed: u64) -> Self {
+        Self {
+            line: self.centerline(world, scene, seed).ok(),
+            ..self.clone()
+        }
+    }
+
+    /// The same beginning with another pair than its baseline.
+    pub fn with_pair(&self, pair: PairTrajectory) -> Self {
+        Self {
+            pair: Some(pair),
+            ..self.clone()
+        }
+    }
+
     /// The pair's centerline from here.
     pub fn centerline(
         &self,
@@ -147,6 +166,9 @@ impl Start {
         scene: &Scene,
         seed: u64,
     ) -> Result<Vec<Pose>, RouteError> {
+        if let Some(line) = &self.line {
+            return Ok(line.clone());
+        }
         match self.method {
             CenterlineMethod::HybridAStar => hybrid_a_star::centerline(world, scene, &self.order),
             CenterlineMethod::RrtStar => {

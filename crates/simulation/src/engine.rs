@@ -47,10 +47,6 @@ pub(crate) fn unit(angle: f64) -> Point {
     Point::new(cos, sin)
 }
 
-pub(crate) fn length(p: Point) -> f64 {
-    p.norm_squared().sqrt()
-}
-
 /// Origin and turn of a body.
 pub(crate) fn pose_of(body: &RigidBody) -> Pose {
     let rotation = body.rotation();

@@ -48,13 +48,13 @@ impl Bristle {
     pub(crate) fn force(&self, deflection: &mut Point, velocity: Point) -> Point {
         let z = *deflection + velocity * self.time_step;
         let force = (z * self.stiffness + velocity * self.damping) * -1.0;
-        let magnitude = force.norm_squared().sqrt();
+        let magnitude = force.norm();
         if magnitude <= self.limit {
             *deflection = z;
             return force;
         }
         let reach = self.limit / self.stiffness;
-        let stretch = z.norm_squared().sqrt();
+        let stretch = z.norm();
         *deflection = if stretch > reach {
             z * (reach / stretch)
         } else {

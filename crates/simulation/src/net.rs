@@ -153,10 +153,10 @@ impl Net {
         let mut gap: f64 = 0.0;
         for handle in &self.links {
             let link = &world.bodies[*handle];
-            gap = gap.max(crate::engine::length(world_point(link, head) - before));
+            gap = gap.max((world_point(link, head) - before).norm());
             before = world_point(link, tail);
         }
-        gap.max(crate::engine::length(hitches[1] - before))
+        gap.max((hitches[1] - before).norm())
     }
 
     /// Centers and turns of the links.

@@ -5,7 +5,7 @@
 //! spans the gap: a circular arc for a short net, straight legs and a round bottom for a long one. A fold: the chain goes
 //! up and down like an accordion, k links each way, with the slope for which it spans the gap.
 
-use crate::engine::{length, unit};
+use crate::engine::unit;
 use crate::objects::distance_to_segment;
 use crate::{Base, Parameters, SimulationError};
 use pairtrawl_geometry::{Point, Pose};
@@ -42,7 +42,7 @@ pub(crate) fn lay(
 ) -> Result<NetStart, SimulationError> {
     let hitches = robots.map(|pose| pose.position() - unit(pose.heading) * parameters.robot.hitch);
     let net_length = parameters.link_length * parameters.links as f64;
-    let gap = length(hitches[1] - hitches[0]);
+    let gap = (hitches[1] - hitches[0]).norm();
     if gap > net_length * (1.0 + 1e-9) {
         return Err(SimulationError::NetTooShort {
             gap,
@@ -152,7 +152,7 @@ fn chain(hitches: [Point; 2], parameters: &Parameters, turns: &[f64]) -> Vec<Poi
 fn close(nodes: &mut [Point], hitches: [Point; 2], link: f64) {
     let last = nodes.len() - 1;
     for _ in 0..10_000 {
-        if length(nodes[last] - hitches[1]) < 1e-12 {
+        if (nodes[last] - hitches[1]).norm() < 1e-12 {
             break;
         }
         nodes[last] = hitches[1];
@@ -168,7 +168,7 @@ fn close(nodes: &mut [Point], hitches: [Point; 2], link: f64) {
 
 fn toward(from: Point, to: Point, distance: f64) -> Point {
     let along = to - from;
-    let norm = length(along);
+    let norm = along.norm();
     if norm > 0.0 {
         from + along * (distance / norm)
     } else {
@@ -184,7 +184,7 @@ fn follow(
 ) -> Result<NetStart, SimulationError> {
     let ends = [outline.first(), outline.last()];
     for ((end, hitch), side) in ends.into_iter().zip(hitches).zip(["left", "right"]) {
-        let distance = end.map_or(f64::INFINITY, |&p| length(p - hitch));
+        let distance = end.map_or(f64::INFINITY, |&p| (p - hitch).norm());
         if distance > HITCH_TOLERANCE || !distance.is_finite() {
             return Err(SimulationError::NetStart {
                 side,
@@ -194,12 +194,12 @@ fn follow(
             });
         }
     }
-    let total: f64 = outline.windows(2).map(|s| length(s[1] - s[0])).sum();
+    let total: f64 = outline.windows(2).map(|s| (s[1] - s[0]).norm()).sum();
     let net_length = parameters.link_length * parameters.links as f64;
     let nodes_at = |fraction: f64| {
         let mut rest = fraction * total;
         for s in outline.windows(2) {
-            let segment = length(s[1] - s[0]);
+            let segment = (s[1] - s[0]).norm();
             if rest <= segment && segment > 0.0 {
                 return s[0].lerp(s[1], rest / segment);
             }
@@ -273,7 +273,7 @@ impl Surroundings {
 
     fn link_overlaps(&self, index: usize, ends: &[Point], last: usize) -> bool {
         let along = ends[1] - ends[0];
-        let half = Point::new(0.5 * length(along), 0.5 * self.thickness);
+        let half = Point::new(0.5 * along.norm(), 0.5 * self.thickness);
         let link = Cuboid::new(crate::engine::vector(half));
         let place = Isometry::new(
             crate::engine::vector(ends[0].lerp(ends[1], 0.5)),

@@ -1,7 +1,7 @@
 //! Objects: rigid bodies on the floor. One that lies at rest out of everything's reach is taken out of the engine until
 //! something comes near; its place cannot change meanwhile.
 
-use crate::engine::{length, pose_of, vector, velocity_at, world_point};
+use crate::engine::{pose_of, vector, velocity_at, world_point};
 use crate::ground_friction::Bristle;
 use crate::{Parameters, tag};
 use pairtrawl_geometry::{Point, Pose};
@@ -69,7 +69,7 @@ impl Objects {
                 .any(|s| distance_to_segment(a, s[0], s[1]) < reach)
                 || discs
                     .iter()
-                    .any(|&(center, radius)| length(a - center) < reach + radius)
+                    .any(|&(center, radius)| (a - center).norm() < reach + radius)
         };
         for i in 0..self.items.len() {
             let item = &self.items[i];
@@ -91,7 +91,7 @@ impl Objects {
                 let (place, radius) = (self.items[i].pose.position(), self.items[i].radius);
                 let touched = self.items.iter().any(|other| {
                     other.awake
-                        && length(other.pose.position() - place)
+                        && (other.pose.position() - place).norm()
                             < radius + other.radius + WAKE_DISTANCE
                 });
                 if touched {
@@ -207,7 +207,7 @@ impl Item {
 
     fn moves(&self, world: &PhysicsWorld) -> bool {
         let body = &world.bodies[self.handle];
-        length(crate::engine::point(body.linvel())) > REST_SPEED
+        crate::engine::point(body.linvel()).norm() > REST_SPEED
             || body.angvel().abs() > REST_SPEED / self.radius
     }
 
@@ -234,5 +234,5 @@ pub(crate) fn distance_to_segment(p: Point, a: Point, b: Point) -> f64 {
     } else {
         0.0
     };
-    length(p - a.lerp(b, t))
+    (p - a.lerp(b, t)).norm()
 }

@@ -1,6 +1,5 @@
 //! What is looked at while a plan is rehearsed.
 
-use crate::engine::length;
 use crate::{Options, Part, PlanFollower, Simulation, distance_outside, encloses};
 use pairtrawl_geometry::Point;
 use pairtrawl_model::{
@@ -149,7 +148,7 @@ impl Watch {
         let hitches = simulation.hitches();
         for side in Side::BOTH {
             let i = side.index();
-            let tension = length(self.window[i]) / self.window_every as f64;
+            let tension = self.window[i].norm() / self.window_every as f64;
             self.record.max_tension[i] = self.record.max_tension[i].max(tension);
             if tension > self.tension_limit {
                 self.happened(Kind::Snag { robot: side }, simulation.time(), hitches[i]);
@@ -164,7 +163,7 @@ impl Watch {
         for side in Side::BOTH {
             let i = side.index();
             let place = simulation.robots()[i].pose.position();
-            let deviation = length(place - wanted[i].position());
+            let deviation = (place - wanted[i].position()).norm();
             self.record.max_deviation[i] = self.record.max_deviation[i].max(deviation);
             if deviation > self.options.max_deviation {
                 self.happened(Kind::RobotCaught { robot: side }, simulation.time(), place);
@@ -249,7 +248,7 @@ impl Watch {
             robots: simulation.pair(),
             net: simulation.net(),
             objects: simulation.objects(),
-            tension: self.frame.load.map(|sum| length(sum) / steps),
+            tension: self.frame.load.map(|sum| sum.norm() / steps),
             drive_force: self.frame.drive.map(|sum| sum / steps),
         });
         self.frame = Sums::default();

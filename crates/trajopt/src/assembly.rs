@@ -8,7 +8,7 @@ use crate::iterate::{Iterate, STAGE};
 use crate::linear::BandMatrix;
 use crate::local::Local;
 use crate::problem::Problem;
-use crate::step::{Coordinate, STEP_BOUNDS, Step};
+use crate::step::{STEP_BOUNDS, Step};
 use crate::term::{PAIR, POINT, QUAD, Term};
 
 /// Dual regularization of the equalities.
@@ -146,11 +146,7 @@ impl System {
                     row.c = bound.value(&step);
                     row.gradient = [bound.sign];
                     let condensed = row.condense(mu);
-                    let k = if bound.coordinate == Coordinate::Along {
-                        0
-                    } else {
-                        2
-                    };
+                    let k = bound.coordinate.index();
                     d.gradients[0][k] -= condensed.force * bound.sign;
                     d.gradients[1][k] -= row.z * bound.sign;
                     d.diagonal[k] += condensed.sigma;

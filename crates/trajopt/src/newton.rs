@@ -5,7 +5,7 @@ use crate::interior_point::State;
 use crate::iterate::STAGE;
 use crate::linear::BandMatrix;
 use crate::row::Row;
-use crate::step::{Coordinate, STEP_BOUNDS, TURN_COST};
+use crate::step::{Coordinate, STEP_BOUNDS};
 use crate::term::PAIR;
 use std::ops::Range;
 
@@ -136,11 +136,7 @@ impl Newton {
             let (along, across, turn) = step.change(&a[k..k + 3], &b[k..k + 3]);
             let rows = &mut set.steps[at * STEP_BOUNDS..(at + 1) * STEP_BOUNDS];
             for (kind, row) in rows.iter_mut().enumerate() {
-                let change = if coordinate_of(kind) == Coordinate::Along {
-                    along
-                } else {
-                    turn
-                };
+                let change = [along, across, turn][Coordinate::of_bound(kind).index()];
                 finish(
                     row,
                     mu,
@@ -198,16 +194,6 @@ pub(crate) fn within<'a, T>(
     let first = rows.partition_point(|r| (stage(r) as usize) < part.start);
     let end = rows.partition_point(|r| (stage(r) as usize) < part.end);
     &mut rows[first..end]
-}
-
-/// The coordinate that a bound of a step is on, by its index.
-pub(crate) fn coordinate_of(kind: usize) -> Coordinate {
-    const { assert!(TURN_COST == 4 && STEP_BOUNDS == 5) };
-    if kind < 2 {
-        Coordinate::Along
-    } else {
-        Coordinate::Turn
-    }
 }
 
 #[inline]

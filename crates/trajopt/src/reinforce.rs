@@ -8,7 +8,7 @@
 use crate::assembly::{StepDerivatives, System, base};
 use crate::interior_point::{State, Workspace};
 use crate::local::Local;
-use crate::newton::{coordinate_of, within};
+use crate::newton::within;
 use crate::problem::Problem;
 use crate::row::Condensed;
 use crate::step::{Coordinate, STEP_BOUNDS, Step};
@@ -141,10 +141,7 @@ impl System {
         sign: f64,
         added: Condensed,
     ) {
-        let k = match coordinate_of(kind) {
-            Coordinate::Along => 0,
-            Coordinate::Turn => 2,
-        };
+        let k = Coordinate::of_bound(kind).index();
         let mut d = StepDerivatives::default();
         d.gradients[0][k] = -added.force * sign;
         d.diagonal[k] = added.sigma;

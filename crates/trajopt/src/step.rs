@@ -29,6 +29,24 @@ pub(crate) enum Coordinate {
     Turn,
 }
 
+impl Coordinate {
+    /// Its place among along, across, turn.
+    #[inline]
+    pub fn index(self) -> usize {
+        match self {
+            Self::Along => 0,
+            Self::Turn => 2,
+        }
+    }
+
+    /// The one that a bound of a step is on, by the bound's place.
+    #[inline]
+    pub fn of_bound(kind: usize) -> Self {
+        const { assert!(TURN_COST == 4 && STEP_BOUNDS == 5) };
+        if kind < 2 { Self::Along } else { Self::Turn }
+    }
+}
+
 /// A bound `offset + sign * coordinate >= 0`.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct StepBound {

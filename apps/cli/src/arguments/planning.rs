@@ -20,7 +20,7 @@ pub struct PlanningArguments {
     #[arg(long)]
     pub no_explore: bool,
 
-    /// How the pair's centerline is searched; left out: hybrid A*, then RRT* while no plan is found
+    /// How the pair's centerline is searched; left out: hybrid A* and RRT*, the cheaper plan counts
     #[arg(long, value_enum)]
     pub centerline: Option<Centerline>,
 

@@ -1,4 +1,5 @@
 use crate::term::{Jet, PAIR, Term};
+use pairtrawl_geometry::Point;
 
 /// Robots drive abreast: the angle between a heading and the normal of the line between the robots (the vector from right
 /// to left turned by -90 degrees, `n = (ry, -rx)/d`) stays within `max_skew`: `n . u(phi) - cos(max_skew) >= 0`.
@@ -14,7 +15,7 @@ impl Term<PAIR> for Abreast {
     fn value(&self, z: &[f64; PAIR]) -> f64 {
         let [rx, ry, ..] = *z;
         let phi = z[self.heading];
-        (ry * phi.cos() - rx * phi.sin()) / (rx * rx + ry * ry).sqrt() - self.cos_max_skew
+        (ry * phi.cos() - rx * phi.sin()) / Point::new(rx, ry).norm() - self.cos_max_skew
     }
 
     #[inline]

@@ -1,4 +1,5 @@
 use crate::term::{Jet, PAIR, Term};
+use pairtrawl_geometry::Point;
 
 /// The net reaches from hitch to hitch: `d_max - reserve - |r - hitch (u(phi_l) - u(phi_r))| >= 0`,
 /// `r` from the right to the left robot, `u` the unit vector of a heading.
@@ -9,6 +10,44 @@ pub struct NetReach {
     pub reserve: f64,
 }
 
+/// The line between the hitches.
+struct Hitches {
+    reach: f64,
+    /// Unit vector from the right hitch to the left one.
+    ux: f64,
+    uy: f64,
+    /// Sine and cosine of the left heading, and of the right one.
+    left: (f64, f64),
+    right: (f64, f64),
+}
+
+impl NetReach {
+    #[inline]
+    fn hitches(&self, &[rx, ry, phi_l, phi_r, _]: &[f64; PAIR]) -> Hitches {
+        let h = self.hitch;
+        let (sl, cl) = phi_l.sin_cos();
+        let (sr, cr) = phi_r.sin_cos();
+        let (x, y) = (rx - h * (cl - cr), ry - h * (sl - sr));
+        let reach = Point::new(x, y).norm();
+        Hitches {
+            reach,
+            ux: x / reach,
+            uy: y / reach,
+            left: (sl, cl),
+            right: (sr, cr),
+        }
+    }
+
+    #[inline]
+    fn slope_from(&self, hitches: &Hitches, d_max: f64) -> (f64, [f64; PAIR]) {
+        let &Hitches { reach, ux, uy, .. } = hitches;
+        let ((sl, cl), (sr, cr)) = (hitches.left, hitches.right);
+        let left = self.hitch * (cl * uy - sl * ux);
+        let right = self.hitch * (sr * ux - cr * uy);
+        (d_max - self.reserve - reach, [-ux, -uy, left, right, 1.0])
+    }
+}
+
 impl Term<PAIR> for NetReach {
     #[inline]
     fn value(&self, &[rx, ry, phi_l, phi_r, d_max]: &[f64; PAIR]) -> f64 {
@@ -17,35 +56,24 @@ impl Term<PAIR> for NetReach {
             rx - h * (phi_l.cos() - phi_r.cos()),
             ry - h * (phi_l.sin() - phi_r.sin()),
         );
-        d_max - self.reserve - (x * x + y * y).sqrt()
+        d_max - self.reserve - Point::new(x, y).norm()
     }
 
     #[inline]
-    fn slope(&self, &[rx, ry, phi_l, phi_r, d_max]: &[f64; PAIR]) -> (f64, [f64; PAIR]) {
-        let h = self.hitch;
-        let (sl, cl) = phi_l.sin_cos();
-        let (sr, cr) = phi_r.sin_cos();
-        let (x, y) = (rx - h * (cl - cr), ry - h * (sl - sr));
-        let reach = (x * x + y * y).sqrt();
-        let (ux, uy) = (x / reach, y / reach);
-        let left = h * (cl * uy - sl * ux);
-        let right = h * (sr * ux - cr * uy);
-        (d_max - self.reserve - reach, [-ux, -uy, left, right, 1.0])
+    fn slope(&self, z: &[f64; PAIR]) -> (f64, [f64; PAIR]) {
+        self.slope_from(&self.hitches(z), z[4])
     }
 
-    #[inline]
-    fn jet(&self, &[rx, ry, phi_l, phi_r, d_max]: &[f64; PAIR]) -> Jet<PAIR> {
+    fn jet(&self, z: &[f64; PAIR]) -> Jet<PAIR> {
         let h = self.hitch;
-        let (sl, cl) = phi_l.sin_cos();
-        let (sr, cr) = phi_r.sin_cos();
-        let (x, y) = (rx - h * (cl - cr), ry - h * (sl - sr));
-        let reach = (x * x + y * y).sqrt();
-        let (ux, uy) = (x / reach, y / reach);
+        let hitches = self.hitches(z);
+        let mut jet = Jet::constant(0.0);
+        (jet.value, jet.gradient) = self.slope_from(&hitches, z[4]);
+        let Hitches { reach, ux, uy, .. } = hitches;
+        let ((sl, cl), (sr, cr)) = (hitches.left, hitches.right);
         // Columns of d(x, y)/dz for z = rx, ry, phi_l, phi_r.
         let columns = [[1.0, 0.0], [0.0, 1.0], [h * sl, -h * cl], [-h * sr, h * cr]];
         let across = columns.map(|[a, b]| b * ux - a * uy);
-        let mut jet = Jet::constant(0.0);
-        (jet.value, jet.gradient) = self.slope(&[rx, ry, phi_l, phi_r, d_max]);
         for i in 0..4 {
             for j in 0..4 {
                 jet.hessian[i][j] = -across[i] * across[j] / reach;

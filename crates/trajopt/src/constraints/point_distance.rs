@@ -69,20 +69,16 @@ fn nearest(region: &Piece, p: Point) -> Nearest {
     }
 }
 
-fn distance(a: Point, b: Point) -> f64 {
-    (a - b).norm_squared().sqrt()
-}
-
 impl Term<POINT> for CenterDistance {
     #[inline]
     fn value(&self, &[x, y]: &[f64; POINT]) -> f64 {
-        distance(Point::new(x, y), self.center) - self.keep
+        Point::new(x, y).distance(self.center) - self.keep
     }
 
     #[inline]
     fn slope(&self, &[x, y]: &[f64; POINT]) -> (f64, [f64; POINT]) {
         let p = Point::new(x, y);
-        let d = distance(p, self.center).max(1e-9);
+        let d = p.distance(self.center).max(1e-9);
         let u = (p - self.center) / d;
         (d - self.keep, [u.x, u.y])
     }

@@ -1,4 +1,5 @@
 use crate::term::{Jet, PAIR, Term};
+use pairtrawl_geometry::Point;
 
 /// `d >= lower + ratio d_max`: robots keep clear of each other.
 pub struct SeparationAbove {
@@ -26,7 +27,7 @@ struct Linear {
 impl Linear {
     #[inline]
     fn slope(&self, &[rx, ry, _, _, d_max]: &[f64; PAIR]) -> (f64, [f64; PAIR]) {
-        let d = (rx * rx + ry * ry).sqrt();
+        let d = Point::new(rx, ry).norm();
         let scale = self.sign / d;
         (
             self.sign * d + self.offset + self.slope * d_max,
@@ -39,7 +40,7 @@ impl Linear {
         let mut jet = Jet::constant(value);
         jet.gradient = gradient;
         let (ux, uy) = (self.sign * gradient[0], self.sign * gradient[1]);
-        let bend = self.sign / (z[0] * z[0] + z[1] * z[1]).sqrt();
+        let bend = self.sign / Point::new(z[0], z[1]).norm();
         jet.hessian[0][0] = bend * uy * uy;
         jet.hessian[1][1] = bend * ux * ux;
         jet.set_mixed(0, 1, -bend * ux * uy);
@@ -70,7 +71,7 @@ impl SeparationBelow {
 impl Term<PAIR> for SeparationAbove {
     #[inline]
     fn value(&self, &[rx, ry, _, _, d_max]: &[f64; PAIR]) -> f64 {
-        (rx * rx + ry * ry).sqrt() - self.lower - self.ratio * d_max
+        Point::new(rx, ry).norm() - self.lower - self.ratio * d_max
     }
 
     #[inline]
@@ -86,7 +87,7 @@ impl Term<PAIR> for SeparationAbove {
 impl Term<PAIR> for SeparationBelow {
     #[inline]
     fn value(&self, &[rx, ry, _, _, d_max]: &[f64; PAIR]) -> f64 {
-        self.ratio * d_max - self.reserve - (rx * rx + ry * ry).sqrt()
+        self.ratio * d_max - self.reserve - Point::new(rx, ry).norm()
     }
 
     #[inline]

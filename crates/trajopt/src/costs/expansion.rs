@@ -1,4 +1,5 @@
 use crate::term::{Jet, PAIR, Term};
+use pairtrawl_geometry::Point;
 use std::f64::consts::FRAC_PI_2;
 
 /// Expansion cost J_e of the net at one waypoint: a U over the separation `d`, written in `eta = d / d_max`,
@@ -90,7 +91,7 @@ impl Expansion {
     }
 
     fn jet_with(&self, &[rx, ry, _, _, d_max]: &[f64; PAIR], convex: bool) -> Jet<PAIR> {
-        let d = (rx * rx + ry * ry).sqrt();
+        let d = Point::new(rx, ry).norm();
         let eta = d / d_max;
         let [f0, f1, f2] = self.of_ratio(eta);
         let stretch = (d - self.rest_ratio * d_max).max(0.0);
@@ -125,7 +126,7 @@ impl Expansion {
 impl Term<PAIR> for Expansion {
     #[inline]
     fn value(&self, &[rx, ry, _, _, d_max]: &[f64; PAIR]) -> f64 {
-        let d = (rx * rx + ry * ry).sqrt();
+        let d = Point::new(rx, ry).norm();
         let stretch = (d - self.rest_ratio * d_max).max(0.0);
         self.weight * (self.of_ratio(d / d_max)[0] + self.kd2 * stretch * stretch)
     }
