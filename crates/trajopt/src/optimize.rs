@@ -94,13 +94,27 @@ pub fn optimize_from(
     Solution {
         trajectory: state.x.to_trajectory(start.step_time),
         net_length: state.x.net_length,
-        objective: state.merit.cost + state.merit.elastic,
+        objective: state.merit.cost + state.merit.elastic + held_cost(problem, &state.x),
         status,
         iterations: state.iterations,
         residuals: state.residuals,
         violations,
         shrunk_margins,
     }
+}
+
+/// What driving and turning cost a robot that is held, whose steps the solver does not see.
+fn held_cost(problem: &Problem, x: &Iterate) -> f64 {
+    let Some(robot) = problem.frozen else {
+        return 0.0;
+    };
+    (0..x.stages.len() - 1)
+        .map(|i| {
+            let (real, seen) = (x.step(i, robot), problem.step(x, i, robot));
+            problem.distance_weight() * (real.along - seen.along)
+                + 2.0 * problem.turn_weight() * real.turn.max(0.0)
+        })
+        .sum()
 }
 
 /// Sum of all violations, m and rad.

@@ -301,6 +301,23 @@ fn a_frozen_robot_stays_where_it_is_while_the_other_gains() {
     }
 }
 
+#[test]
+fn what_is_minimized_is_j_whoever_is_held() {
+    let made = witness(4, 1, 120);
+    for frozen in [None, Some(0), Some(1)] {
+        let mut problem = problem(&made.scene, Some(made.net_length));
+        // Without margins there is nothing else to pay for.
+        problem.reserve.clearance = 0.0;
+        problem.reserve.net_clearance = 0.0;
+        problem.frozen = frozen;
+        let solution = optimize(&problem, &made.witness, &Settings::default());
+        assert!(solution.violations.is_empty() && solution.shrunk_margins.is_empty());
+        let j = evaluate(&made.scene, &solution.trajectory, made.net_length).total();
+        let share = solution.objective / j;
+        assert!((share - 1.0).abs() < 1e-3, "{frozen:?}: {share}");
+    }
+}
+
 /// A pair that drives straight on, a disc in the way of the line between them; `None`: nothing in the way.
 fn disc_scene(disc: Option<(Point, f64)>) -> (Scene, PairTrajectory) {
     let (mut scene, start) = gap_scene(1.9);
