@@ -65,7 +65,7 @@ pub fn plan_text(summary: &Summary) -> String {
         .claims
         .iter()
         .filter(|claim| claim.claim.place.is_some() && at_limit(claim))
-        .map(|claim| claim.claim.name)
+        .map(|claim| claim.claim.id.name())
         .collect();
     if !exhausted.is_empty() {
         let _ = writeln!(text, "  at limit   {}", exhausted.join(", "));
@@ -90,7 +90,7 @@ pub fn claim_text(summary: &ClaimSummary) -> String {
     let claim = &summary.claim;
     let mut line = format!(
         "{:<25} {}",
-        claim.name,
+        claim.id,
         if claim.holds { "holds" } else { "FAILS" }
     );
     if claim.margin.is_finite() {
@@ -145,7 +145,7 @@ pub fn plan_json(summary: &Summary) -> Value {
 pub fn claim_json(summary: &ClaimSummary) -> Value {
     let claim = &summary.claim;
     json!({
-        "name": claim.name,
+        "name": claim.id.name(),
         "holds": claim.holds,
         "margin": number(claim.margin),
         "unit": summary.unit,

@@ -1,5 +1,5 @@
 use crate::TOLERANCE;
-use pairtrawl_model::{Claim, Overrides};
+use pairtrawl_model::{Claim, ClaimId, Overrides};
 
 /// The claim `scene`: a plan's hash is the scene's. Hexadecimal digits compare without regard to case.
 pub fn scene_claim(expected_sha256: &str, found_sha256: &str) -> Claim {
@@ -12,7 +12,7 @@ pub fn scene_claim(expected_sha256: &str, found_sha256: &str) -> Claim {
         )
     };
     Claim {
-        name: "scene",
+        id: ClaimId::Scene,
         holds,
         margin: if holds { 0.0 } else { -1.0 },
         step: None,
@@ -50,7 +50,7 @@ pub fn net_length_claim(plan: f64, scene: Option<f64>, overrides: &Overrides) ->
         None => (0.0, "left open".to_owned()),
     };
     Claim {
-        name: "net_length",
+        id: ClaimId::NetLength,
         holds: margin >= -TOLERANCE,
         margin,
         step: None,

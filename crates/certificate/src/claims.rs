@@ -18,17 +18,18 @@ mod turn;
 use crate::TOLERANCE;
 use crate::subject::Subject;
 use crate::tightest::Tightest;
+use pairtrawl_model::ClaimId;
 
-/// A claim: its name in the file format, how it is judged, and the slack that its bound has.
+/// A claim: which one, how it is judged, and the slack that its bound has.
 pub(crate) struct Judge {
-    pub(crate) name: &'static str,
+    pub(crate) id: ClaimId,
     pub(crate) judge: fn(&Subject<'_>) -> Tightest,
     pub(crate) tolerance: f64,
 }
 
-const fn claim(name: &'static str, judge: fn(&Subject<'_>) -> Tightest, tolerance: f64) -> Judge {
+const fn claim(id: ClaimId, judge: fn(&Subject<'_>) -> Tightest, tolerance: f64) -> Judge {
     Judge {
-        name,
+        id,
         judge,
         tolerance,
     }
@@ -36,26 +37,30 @@ const fn claim(name: &'static str, judge: fn(&Subject<'_>) -> Tightest, toleranc
 
 /// In the order of the file format. Claims whose bound is itself a tolerance have no further slack.
 pub(crate) const ALL: [Judge; 14] = [
-    claim("endpoints", endpoints::judge, 0.0),
-    claim("step", step::judge, TOLERANCE),
-    claim("turn", turn::judge, TOLERANCE),
-    claim("forward", forward::judge, 0.0),
-    claim("no_sideways_slip", no_sideways_slip::judge, 0.0),
-    claim("speed", speed::judge, TOLERANCE),
-    claim("abreast", abreast::judge, TOLERANCE),
-    claim("robot_clearance", robot_clearance::judge, TOLERANCE),
-    claim("robots_miss_objects", robots_miss_objects::judge, TOLERANCE),
+    claim(ClaimId::Endpoints, endpoints::judge, 0.0),
+    claim(ClaimId::Step, step::judge, TOLERANCE),
+    claim(ClaimId::Turn, turn::judge, TOLERANCE),
+    claim(ClaimId::Forward, forward::judge, 0.0),
+    claim(ClaimId::NoSidewaysSlip, no_sideways_slip::judge, 0.0),
+    claim(ClaimId::Speed, speed::judge, TOLERANCE),
+    claim(ClaimId::Abreast, abreast::judge, TOLERANCE),
+    claim(ClaimId::RobotClearance, robot_clearance::judge, TOLERANCE),
     claim(
-        "net_encloses_no_obstacle",
+        ClaimId::RobotsMissObjects,
+        robots_miss_objects::judge,
+        TOLERANCE,
+    ),
+    claim(
+        ClaimId::NetEnclosesNoObstacle,
         net_encloses_no_obstacle::judge,
         TOLERANCE,
     ),
     claim(
-        "every_object_covered",
+        ClaimId::EveryObjectCovered,
         every_object_covered::judge,
         TOLERANCE,
     ),
-    claim("separation", separation::judge, TOLERANCE),
-    claim("net_reach", net_reach::judge, TOLERANCE),
-    claim("inside_area", inside_area::judge, TOLERANCE),
+    claim(ClaimId::Separation, separation::judge, TOLERANCE),
+    claim(ClaimId::NetReach, net_reach::judge, TOLERANCE),
+    claim(ClaimId::InsideArea, inside_area::judge, TOLERANCE),
 ];

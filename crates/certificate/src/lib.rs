@@ -42,11 +42,11 @@ pub fn certify(scene: &Scene, net_length: f64, trajectory: &PairTrajectory) -> C
     let claims = match Subject::new(scene, net_length, trajectory) {
         Ok(subject) => claims::ALL
             .iter()
-            .map(|claim| (claim.judge)(&subject).into_claim(claim.name, claim.tolerance))
+            .map(|claim| (claim.judge)(&subject).into_claim(claim.id, claim.tolerance))
             .collect(),
         Err(fault) => claims::ALL
             .iter()
-            .map(|claim| fault.clone().into_claim(claim.name, claim.tolerance))
+            .map(|claim| fault.clone().into_claim(claim.id, claim.tolerance))
             .collect(),
     };
     Certificate { claims }

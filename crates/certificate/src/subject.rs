@@ -1,8 +1,7 @@
 use crate::obstacles::Obstacles;
 use crate::tightest::Tightest;
 use pairtrawl_geometry::{Point, Pose};
-use pairtrawl_model::{PairTrajectory, Scene};
-use std::fmt;
+use pairtrawl_model::{PairTrajectory, Scene, Side};
 
 /// Coordinates beyond this are refused, m: above it a double no longer resolves the tolerance of 1e-9 m.
 pub const COORDINATE_LIMIT: f64 = 1e6;
@@ -14,22 +13,6 @@ pub(crate) struct Subject<'a> {
     pub(crate) trajectory: &'a PairTrajectory,
     /// `Err` says what is malformed.
     pub(crate) obstacles: Result<Obstacles<'a>, String>,
-}
-
-/// One of the two robots.
-#[derive(Clone, Copy)]
-pub(crate) enum Side {
-    Left,
-    Right,
-}
-
-impl fmt::Display for Side {
-    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        f.write_str(match self {
-            Self::Left => "left robot",
-            Self::Right => "right robot",
-        })
-    }
 }
 
 impl<'a> Subject<'a> {

@@ -1,5 +1,5 @@
 use pairtrawl_geometry::Point;
-use pairtrawl_model::Claim;
+use pairtrawl_model::{Claim, ClaimId};
 
 /// The tightest place of a claim found so far.
 #[derive(Clone, Debug)]
@@ -60,10 +60,10 @@ impl Tightest {
     }
 
     /// The finished claim: it holds when the margin is at least `-tolerance`.
-    pub(crate) fn into_claim(self, name: &'static str, tolerance: f64) -> Claim {
+    pub(crate) fn into_claim(self, id: ClaimId, tolerance: f64) -> Claim {
         let holds = self.margin >= -tolerance;
         Claim {
-            name,
+            id,
             holds,
             margin: self.margin,
             step: self.step,

@@ -206,7 +206,7 @@ fn the_certificate_judges_mutations_as_brute_force_does() {
         let opinions = opinions(&case.scene, case.net_length, &case.trajectory);
         let certificate = certify(&case.scene, case.net_length, &case.trajectory);
         for ((name, opinion), claim) in opinions.iter().zip(&certificate.claims) {
-            assert_eq!(*name, claim.name);
+            assert_eq!(*name, claim.id.name());
             match opinion {
                 Opinion::Holds => assert!(claim.holds, "{}, round {round}: {claim:?}", KINDS[kind]),
                 Opinion::Fails => {

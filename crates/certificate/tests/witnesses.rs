@@ -26,7 +26,7 @@ fn witnesses_pass_every_claim_in_the_order_of_the_format() {
     for n in 1..=9 {
         let case = support::witness(n);
         let certificate = certify(&case.scene, case.net_length, &case.trajectory);
-        let names: Vec<&str> = certificate.claims.iter().map(|c| c.name).collect();
+        let names: Vec<&str> = certificate.claims.iter().map(|c| c.id.name()).collect();
         assert_eq!(names, NAMES);
         for claim in &certificate.claims {
             assert!(claim.holds, "witness {n}: {claim:?}");

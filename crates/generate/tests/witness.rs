@@ -13,7 +13,7 @@ fn margin(generated: &Generated, claim: &str) -> f64 {
     certificate
         .claims
         .iter()
-        .find(|c| c.name == claim)
+        .find(|c| c.id.name() == claim)
         .map_or(f64::NAN, |c| c.margin)
 }
 

@@ -1,3 +1,4 @@
+use crate::ClaimId;
 use pairtrawl_geometry::Point;
 
 /// The verdict on a plan, claim by claim.
@@ -17,8 +18,8 @@ impl Certificate {
 /// One claim with its tightest place.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Claim {
-    /// The name in the file format, such as `net_reach`.
-    pub name: &'static str,
+    /// Which claim.
+    pub id: ClaimId,
     /// True when it holds at every instant.
     pub holds: bool,
     /// How much room is left where it is tightest, in the claim's own unit; negative when it fails. Bounds hold to 1e-9.

@@ -3,6 +3,7 @@
 //! SI units and radians; map frame of REP-103. `left` and `right` are as seen by someone who walks with the duo.
 
 mod certificate;
+mod claim_id;
 mod cost;
 mod execution;
 mod parameters;
@@ -10,10 +11,12 @@ mod physics;
 mod plan;
 mod rehearsal;
 mod scene;
+mod side;
 mod summary;
 mod trajectory;
 
 pub use certificate::{Certificate, Claim};
+pub use claim_id::ClaimId;
 pub use cost::Cost;
 pub use execution::{
     ControlSample, ControllerKind, DragStatistics, Execution, ExecutionEvent, ExecutionEventKind,
@@ -22,8 +25,9 @@ pub use execution::{
 pub use parameters::PlannerParameters;
 pub use physics::PhysicsParameters;
 pub use plan::{Circle, Overrides, Plan, Rehearsal, SceneReference, SolverReport, SolverStatus};
-pub use rehearsal::{RehearsalEvent, RehearsalEventKind, RehearsalFrame, RehearsalRecord, Side};
+pub use rehearsal::{RehearsalEvent, RehearsalEventKind, RehearsalFrame, RehearsalRecord};
 pub use scene::{Area, Footprint, NetSpec, Object, Obstacle, OccupancyMap, PairPose, Robot, Scene};
+pub use side::Side;
 pub use summary::{
     ClaimSummary, Event, ExecutionSummary, Frames, LengthCurve, LengthPoint, Limit, Line, Panel,
     Ribbon, Role, Sampling, SceneOutline, StageTime, Summary, TrialSummary,

@@ -1,4 +1,4 @@
-use crate::{PairPose, Rehearsal};
+use crate::{PairPose, Rehearsal, Side};
 use pairtrawl_geometry::{Point, Pose};
 
 /// What happened when a plan was driven in physics.
@@ -134,36 +134,6 @@ impl RehearsalEventKind {
             Self::ObjectNotGathered { object } => {
                 format!("object {object} is not in the net at the end")
             }
-        }
-    }
-}
-
-/// One of the two robots, as seen by someone who walks with the duo.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
-pub enum Side {
-    /// The left robot, index 0 wherever robots are in an array.
-    Left,
-    /// The right robot, index 1.
-    Right,
-}
-
-impl Side {
-    /// Both, in array order.
-    pub const BOTH: [Self; 2] = [Self::Left, Self::Right];
-
-    /// `left` or `right`.
-    pub const fn name(self) -> &'static str {
-        match self {
-            Self::Left => "left",
-            Self::Right => "right",
-        }
-    }
-
-    /// 0 for left, 1 for right.
-    pub const fn index(self) -> usize {
-        match self {
-            Self::Left => 0,
-            Self::Right => 1,
         }
     }
 }

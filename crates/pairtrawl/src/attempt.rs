@@ -6,7 +6,7 @@ use crate::{Method, NetLength, PlanError, PlanOptions, RehearsalMode, Stage};
 use pairtrawl_certificate::certify;
 use pairtrawl_geometry::Pose;
 use pairtrawl_model::{
-    Certificate, Overrides, PairTrajectory, Plan, Rehearsal, RehearsalRecord, Scene,
+    Certificate, ClaimId, Overrides, PairTrajectory, Plan, Rehearsal, RehearsalRecord, Scene,
     SceneReference, SolverReport,
 };
 use pairtrawl_route::{RouteError, baseline};
@@ -299,8 +299,8 @@ impl Attempt {
 /// A warning about a margin that the scene left no room for.
 fn shrunk_margin(scene: &Scene, margin: &ShrunkMargin) -> String {
     let what = match margin.claim {
-        "net_encloses_no_obstacle" => "between net and obstacle",
-        "robots_miss_objects" => "between robot and object",
+        ClaimId::NetEnclosesNoObstacle => "between net and obstacle",
+        ClaimId::RobotsMissObjects => "between robot and object",
         _ => "between robot and obstacle",
     };
     format!(

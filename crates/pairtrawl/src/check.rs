@@ -1,5 +1,7 @@
 use pairtrawl_certificate::{certify, net_length_claim, scene_claim};
-use pairtrawl_model::{Certificate, Claim, Overrides, PairTrajectory, Scene, SceneReference};
+use pairtrawl_model::{
+    Certificate, Claim, ClaimId, Overrides, PairTrajectory, Scene, SceneReference,
+};
 
 /// What a certificate is about: the part of a plan that `check` needs.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -20,7 +22,7 @@ pub fn check(scene: &Scene, reference: &SceneReference, candidate: &Candidate) -
     let whose = match candidate.scene {
         Some(named) => scene_claim(&reference.sha256, &named.sha256),
         None => Claim {
-            name: "scene",
+            id: ClaimId::Scene,
             holds: true,
             margin: 0.0,
             step: None,

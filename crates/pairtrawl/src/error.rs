@@ -1,7 +1,7 @@
 use crate::Stage;
 use crate::attempt::Attempt;
 use pairtrawl_geometry::Point;
-use pairtrawl_model::{Rehearsal, SolverStatus};
+use pairtrawl_model::{ClaimId, Rehearsal, SolverStatus};
 use pairtrawl_route::RouteError;
 use pairtrawl_simulation::SimulationError;
 use pairtrawl_world::WorldError;
@@ -27,7 +27,7 @@ pub enum PlanError {
         /// What fails, in words and numbers.
         reason: String,
         /// The claim that fails in the best attempt.
-        claim: Option<&'static str>,
+        claim: Option<ClaimId>,
         /// At which step.
         step: Option<usize>,
         /// Where, m.
@@ -102,7 +102,7 @@ impl PlanError {
         };
         let mut reason = format!(
             "after {rounds} rounds {} fails by {:.3e}",
-            worst.name, -worst.margin
+            worst.id, -worst.margin
         );
         if let Some(step) = worst.step {
             reason += &format!(" at step {step}");
@@ -115,11 +115,11 @@ impl PlanError {
         }
         Self::NoPlan {
             reason: format!("{reason}; {solver}"),
-            claim: Some(worst.name),
+            claim: Some(worst.id),
             step: worst.step,
             place: worst.place,
             margin: Some(worst.margin),
-            remedy: remedy_for(worst.name).to_owned(),
+            remedy: worst.id.remedy().to_owned(),
         }
     }
 
@@ -145,23 +145,6 @@ impl PlanError {
                      --require-rehearsal"
                 .to_owned(),
         }
-    }
-}
-
-/// What helps most often when a claim cannot be met.
-fn remedy_for(claim: &str) -> &'static str {
-    match claim {
-        "step" | "turn" | "forward" | "no_sideways_slip" | "speed" | "endpoints" => {
-            "give more waypoints, or ends whose headings leave room to turn"
-        }
-        "separation" | "net_reach" => {
-            "give a longer net (--net-length auto finds one), or ends closer together"
-        }
-        "every_object_covered" | "robots_miss_objects" => {
-            "give a longer net, another order (--order given), or move the object away from obstacles"
-        }
-        "abreast" => "raise planner.max_skew, or give ends at which the robots stand abreast",
-        _ => "widen the passage there, or lower robot.radius if the robot is smaller",
     }
 }
 

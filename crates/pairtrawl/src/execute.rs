@@ -66,7 +66,7 @@ pub fn execute_trajectory(
         .iter()
         .filter(|claim| !claim.holds)
         .map(|claim| {
-            let (name, margin) = (claim.name, claim.margin);
+            let (name, margin) = (claim.id, claim.margin);
             format!(
                 "on the smooth reference the claim {name} misses by {:.6}: {}",
                 -margin, claim.detail

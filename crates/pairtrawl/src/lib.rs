@@ -8,7 +8,7 @@
 //! let planned = plan(&loaded.scene, &loaded.reference, &PlanOptions::default(), &mut ())?;
 //! println!("net {} m, J {}", planned.plan.net_length, planned.plan.cost.total());
 //! for claim in &planned.plan.certificate.claims {
-//!     println!("{} holds with a margin of {}", claim.name, claim.margin);
+//!     println!("{} holds with a margin of {}", claim.id, claim.margin);
 //! }
 //! files::write_plan("plan.json".as_ref(), &planned.plan)?;
 //! let summary = summarize(&loaded.scene, &planned.plan, &planned.stages, None);

@@ -2,7 +2,7 @@
 //!
 //! Every change only makes the next problem stricter or finer; whatever comes out of it is judged against the scene itself.
 
-use pairtrawl_model::{Certificate, RehearsalEventKind};
+use pairtrawl_model::{Certificate, ClaimId, RehearsalEventKind};
 use pairtrawl_trajopt::Problem;
 
 /// Kept at least beyond a claim that failed once, in the claim's unit.
@@ -64,13 +64,23 @@ impl Tightening {
         let mut next = self;
         for claim in certificate.claims.iter().filter(|claim| !claim.holds) {
             let more = (-RESERVE_FACTOR * claim.margin).clamp(LEAST_RESERVE, 0.1);
-            match claim.name {
-                "robot_clearance" | "robots_miss_objects" => next.clearance += more,
-                "net_encloses_no_obstacle" => next.net_clearance += more,
-                "separation" => next.separation += more,
-                "net_reach" => next.net_reach += more,
-                "abreast" => next.skew += more,
-                _ => {}
+            match claim.id {
+                ClaimId::RobotClearance | ClaimId::RobotsMissObjects => next.clearance += more,
+                ClaimId::NetEnclosesNoObstacle => next.net_clearance += more,
+                ClaimId::Separation => next.separation += more,
+                ClaimId::NetReach => next.net_reach += more,
+                ClaimId::Abreast => next.skew += more,
+                // More waypoints are all that helps.
+                ClaimId::Scene
+                | ClaimId::NetLength
+                | ClaimId::Endpoints
+                | ClaimId::Step
+                | ClaimId::Turn
+                | ClaimId::Forward
+                | ClaimId::NoSidewaysSlip
+                | ClaimId::Speed
+                | ClaimId::EveryObjectCovered
+                | ClaimId::InsideArea => {}
             }
         }
         next.waypoints *= MORE_WAYPOINTS;

@@ -145,7 +145,7 @@ fn the_certificate_holds_on_the_reference_as_on_the_plan() {
         assert!(
             a.holds && b.holds,
             "{}: {} on the plan, {} on the reference",
-            a.name,
+            a.id,
             a.margin,
             b.margin
         );

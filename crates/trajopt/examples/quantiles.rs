@@ -40,7 +40,7 @@ fn timed(scene: &pairtrawl_model::Scene, solve: impl Fn() -> Solution) -> (Outco
             .claims
             .iter()
             .filter(|claim| !claim.holds)
-            .map(|claim| format!("{} {:.2e}", claim.name, claim.margin))
+            .map(|claim| format!("{} {:.2e}", claim.id, claim.margin))
             .collect(),
         status: solution.status,
     };

@@ -69,7 +69,7 @@ fn main() {
     for claim in &certificate.claims {
         println!(
             "{:26} {:5} {:10.6} {:?} {}",
-            claim.name, claim.holds, claim.margin, claim.step, claim.detail
+            claim.id, claim.holds, claim.margin, claim.step, claim.detail
         );
     }
 }

@@ -4,12 +4,13 @@ use crate::active::{PointKind, SAG, Tier};
 use crate::interior_point::State;
 use crate::problem::Problem;
 use pairtrawl_geometry::Point;
+use pairtrawl_model::ClaimId;
 
 /// A constraint that the returned trajectories do not meet.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Violation {
     /// The claim that it stands for.
-    pub claim: &'static str,
+    pub claim: ClaimId,
     /// Waypoint or step.
     pub step: usize,
     /// By how much, m or rad.
@@ -24,7 +25,7 @@ pub struct Violation {
 #[derive(Clone, Debug, PartialEq)]
 pub struct ShrunkMargin {
     /// `robot_clearance`, `robots_miss_objects` or `net_encloses_no_obstacle`.
-    pub claim: &'static str,
+    pub claim: ClaimId,
     /// Waypoint.
     pub step: usize,
     /// What is left of the margin, m.
@@ -38,44 +39,40 @@ pub(crate) fn shortfalls(problem: &Problem, state: &State) -> (Vec<Violation>, V
     const NOISE: f64 = 1e-5;
     let mut violations = Vec::new();
     let mut margins: Vec<ShrunkMargin> = Vec::new();
-    let mut judge = |claim: &'static str,
-                     step: usize,
-                     subject: Option<usize>,
-                     place: Point,
-                     c: f64,
-                     margin: f64| {
-        if c < -margin - NOISE {
-            violations.push(Violation {
-                claim,
-                step,
-                amount: -c - margin,
-                subject,
-                place,
-            });
-        } else if c < -1e-3 && margin > 1e-3 {
-            let left = margin + c;
-            match margins
-                .iter_mut()
-                .find(|m| m.claim == claim && m.place.distance(place) < 1.0)
-            {
-                Some(m) if m.left <= left => {}
-                Some(m) => {
-                    *m = ShrunkMargin {
+    let mut judge =
+        |claim: ClaimId, step: usize, subject: Option<usize>, place: Point, c: f64, margin: f64| {
+            if c < -margin - NOISE {
+                violations.push(Violation {
+                    claim,
+                    step,
+                    amount: -c - margin,
+                    subject,
+                    place,
+                });
+            } else if c < -1e-3 && margin > 1e-3 {
+                let left = margin + c;
+                match margins
+                    .iter_mut()
+                    .find(|m| m.claim == claim && m.place.distance(place) < 1.0)
+                {
+                    Some(m) if m.left <= left => {}
+                    Some(m) => {
+                        *m = ShrunkMargin {
+                            claim,
+                            step,
+                            left,
+                            place,
+                        }
+                    }
+                    None => margins.push(ShrunkMargin {
                         claim,
                         step,
                         left,
                         place,
-                    }
+                    }),
                 }
-                None => margins.push(ShrunkMargin {
-                    claim,
-                    step,
-                    left,
-                    place,
-                }),
             }
-        }
-    };
+        };
     let reserve = &problem.reserve;
     for pair in &state.set.pairs {
         let stage = pair.stage as usize;
@@ -84,10 +81,10 @@ pub(crate) fn shortfalls(problem: &Problem, state: &State) -> (Vec<Violation>, V
             .position(stage, 0)
             .lerp(state.x.position(stage, 1), 0.5);
         let (claim, margin) = match pair.kind {
-            0 => ("separation", reserve.separation),
-            1 => ("separation", 0.0),
-            2 => ("net_reach", reserve.net_reach),
-            _ => ("abreast", reserve.skew),
+            0 => (ClaimId::Separation, reserve.separation),
+            1 => (ClaimId::Separation, 0.0),
+            2 => (ClaimId::NetReach, reserve.net_reach),
+            _ => (ClaimId::Abreast, reserve.skew),
         };
         judge(claim, stage, None, place, pair.row.c, margin);
     }
@@ -95,18 +92,18 @@ pub(crate) fn shortfalls(problem: &Problem, state: &State) -> (Vec<Violation>, V
         let stage = point.stage as usize;
         let (claim, subject, margin) = match point.kind {
             PointKind::Object(id, tier) => (
-                "robots_miss_objects",
+                ClaimId::RobotsMissObjects,
                 Some(id as usize),
                 slack(tier, reserve.clearance),
             ),
             PointKind::Piece(id, tier) => (
-                "robot_clearance",
+                ClaimId::RobotClearance,
                 Some(id as usize),
                 slack(tier, reserve.clearance),
             ),
             // A side is a help; the claim is what matters.
             PointKind::Side(..) => continue,
-            PointKind::Area(_) => ("inside_area", None, 0.0),
+            PointKind::Area(_) => (ClaimId::InsideArea, None, 0.0),
         };
         judge(
             claim,
@@ -125,7 +122,7 @@ pub(crate) fn shortfalls(problem: &Problem, state: &State) -> (Vec<Violation>, V
             .lerp(state.x.position(stage, 1), 0.5);
         let margin = slack(quad.tier, reserve.net_clearance);
         judge(
-            "net_encloses_no_obstacle",
+            ClaimId::NetEnclosesNoObstacle,
             stage,
             Some(quad.piece as usize),
             place,

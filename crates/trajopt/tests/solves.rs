@@ -4,7 +4,7 @@ use pairtrawl_certificate::certify;
 use pairtrawl_generate::{Generated, Kind, generate};
 use pairtrawl_geometry::{Point, Pose};
 use pairtrawl_model::{
-    Area, Footprint, Object, Obstacle, PairPose, PairTrajectory, Scene, SolverStatus,
+    Area, ClaimId, Footprint, Object, Obstacle, PairPose, PairTrajectory, Scene, SolverStatus,
 };
 use pairtrawl_trajopt::{Problem, Settings, Solution, evaluate, optimize, optimize_watched};
 use pairtrawl_world::World;
@@ -87,7 +87,7 @@ fn assert_named(scene: &Scene, solution: &Solution, claims: &[&str]) {
     }
     for claim in claims {
         assert!(
-            solution.violations.iter().any(|v| v.claim == *claim),
+            solution.violations.iter().any(|v| v.claim.name() == *claim),
             "{claim} is not named: {:?}",
             solution.violations
         );
@@ -129,7 +129,7 @@ fn an_object_without_room_beside_it_is_named() {
     let object = solution
         .violations
         .iter()
-        .find(|v| v.claim == "robots_miss_objects");
+        .find(|v| v.claim == ClaimId::RobotsMissObjects);
     assert_eq!(object.and_then(|v| v.subject), Some(0));
 }
 

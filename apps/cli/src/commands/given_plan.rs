@@ -30,7 +30,7 @@ pub fn unproven(plan: &Plan) -> Option<String> {
         .claims
         .iter()
         .filter(|claim| !claim.holds)
-        .map(|claim| claim.name)
+        .map(|claim| claim.id.name())
         .collect();
     (!failed.is_empty()).then(|| format!("the plan cannot be proven: {} fails", failed.join(", ")))
 }

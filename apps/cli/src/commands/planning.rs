@@ -137,7 +137,7 @@ impl From<PlanError> for Failure {
                 margin,
                 ..
             } => json!({
-                "claim": claim,
+                "claim": claim.map(pairtrawl::model::ClaimId::name),
                 "step": step,
                 "where": place.map(<[f64; 2]>::from),
                 "margin": margin,

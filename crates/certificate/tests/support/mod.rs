@@ -30,7 +30,7 @@ pub fn claim(case: &Case, name: &str) -> Claim {
     certificate
         .claims
         .into_iter()
-        .find(|c| c.name == name)
+        .find(|c| c.id.name() == name)
         .expect("a known claim")
 }
 

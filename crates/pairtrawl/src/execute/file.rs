@@ -41,7 +41,7 @@ pub fn execution_json(execution: &Execution, scene: &SceneReference) -> String {
                 .claims
                 .iter()
                 .map(|c| FileClaim {
-                    name: c.name,
+                    name: c.id.name(),
                     holds: c.holds,
                     margin: c.margin,
                 })

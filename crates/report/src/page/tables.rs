@@ -25,7 +25,7 @@ pub(super) fn certificate(w: &mut Writer, summary: &Summary) {
             &[("class", &if c.claim.holds { "holds" } else { "fails" })],
         );
         w.open("th", &[("scope", &"row")]);
-        w.text("code", &[], c.claim.name);
+        w.text("code", &[], c.claim.id.name());
         w.text("span", &[("class", &"meaning")], c.meaning);
         w.close();
         w.text(

@@ -148,7 +148,7 @@ fn claims() -> Vec<ClaimSummary> {
     vec![
         ClaimSummary {
             claim: Claim {
-                name: "robot_clearance",
+                id: ClaimId::RobotClearance,
                 holds: true,
                 margin: 0.0312,
                 step: Some(2),
@@ -161,7 +161,7 @@ fn claims() -> Vec<ClaimSummary> {
         },
         ClaimSummary {
             claim: Claim {
-                name: "net_reach",
+                id: ClaimId::NetReach,
                 holds: false,
                 margin: -0.5,
                 step: None,

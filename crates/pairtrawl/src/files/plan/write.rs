@@ -162,7 +162,7 @@ fn certificate(certificate: &Certificate) -> FileCertificate<'_> {
         valid: certificate.is_valid(),
         claims: (certificate.claims.iter())
             .map(|c| FileClaim {
-                name: c.name,
+                name: c.id.name(),
                 holds: c.holds,
                 margin: c.margin,
                 step: c.step,
