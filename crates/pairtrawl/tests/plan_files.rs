@@ -5,8 +5,8 @@ use pairtrawl::files::{
 };
 use pairtrawl_geometry::{Point, Pose};
 use pairtrawl_model::{
-    Certificate, Circle, Claim, Cost, Overrides, PairTrajectory, Plan, Rehearsal, SceneReference,
-    SolverReport, SolverStatus,
+    Certificate, Circle, Claim, ClaimId, Cost, Overrides, PairTrajectory, Plan, Rehearsal,
+    SceneReference, SolverReport, SolverStatus,
 };
 use std::path::{Path, PathBuf};
 
@@ -49,7 +49,7 @@ fn plan() -> Plan {
         certificate: Certificate {
             claims: vec![
                 Claim {
-                    name: "step",
+                    id: ClaimId::Step,
                     holds: true,
                     margin: 0.25,
                     step: Some(1),
@@ -57,7 +57,7 @@ fn plan() -> Plan {
                     detail: String::new(),
                 },
                 Claim {
-                    name: "speed",
+                    id: ClaimId::Speed,
                     holds: true,
                     margin: f64::INFINITY,
                     step: None,
