@@ -10,10 +10,12 @@ mod parameters;
 mod physics;
 mod plan;
 mod rehearsal;
+mod scales;
 mod scene;
 mod side;
 mod summary;
 mod trajectory;
+mod units;
 
 pub use certificate::{Certificate, Claim};
 pub use claim_id::ClaimId;
@@ -26,6 +28,7 @@ pub use parameters::PlannerParameters;
 pub use physics::PhysicsParameters;
 pub use plan::{Circle, Overrides, Plan, Rehearsal, SceneReference, SolverReport, SolverStatus};
 pub use rehearsal::{RehearsalEvent, RehearsalEventKind, RehearsalFrame, RehearsalRecord};
+pub use scales::Scales;
 pub use scene::{Area, Footprint, NetSpec, Object, Obstacle, OccupancyMap, PairPose, Robot, Scene};
 pub use side::Side;
 pub use summary::{
@@ -33,3 +36,4 @@ pub use summary::{
     Ribbon, Role, Sampling, SceneOutline, StageTime, Summary, TrialSummary,
 };
 pub use trajectory::{PairTrajectory, default_step_time};
+pub use units::Units;

@@ -32,6 +32,17 @@ impl PairTrajectory {
         }
     }
 
+    /// The same with every pose of both robots mapped.
+    #[must_use]
+    pub fn map(&self, f: impl Fn(Pose) -> Pose) -> Self {
+        let mapped = |poses: &[Pose]| poses.iter().map(|&pose| f(pose)).collect();
+        Self {
+            left: mapped(&self.left),
+            right: mapped(&self.right),
+            step_time: self.step_time,
+        }
+    }
+
     /// Time from the first waypoint to the last, s.
     pub fn duration(&self) -> f64 {
         self.step_time * self.len().saturating_sub(1) as f64

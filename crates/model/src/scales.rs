@@ -1,0 +1,101 @@
+use crate::{Circle, PairPose, PairTrajectory, Scene, Units};
+use pairtrawl_geometry::{Point, Pose};
+
+/// The scale of a scene: the planner works in units of it, so that it sees every machine as one of the paper's size.
+///
+/// Planning has no length of its own: multiply all lengths of a scene by the same factor (and the gains of the cost by
+/// the powers of it that their units ask for) and the plan is multiplied as well. So constants inside the planner are
+/// lengths in units of [`Scales::length`], which is 1 m for the default machine.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Scales {
+    /// The unit of length, m: the robot radius over that of the paper's machine, 0.24 m.
+    pub length: f64,
+    /// The greatest step, `planner.max_step`, in units of `length`.
+    pub step: f64,
+}
+
+/// Radius of the machine whose unit of length is 1 m, m.
+const PAPER_RADIUS: f64 = 0.24;
+
+impl Scales {
+    /// The scale of a scene. It is 1 for a robot without a usable radius, which later checks refuse.
+    pub fn of(scene: &Scene) -> Self {
+        let radius = scene.robot.radius;
+        let usable = radius.is_finite() && radius > 0.0;
+        let length = if usable { radius / PAPER_RADIUS } else { 1.0 };
+        Self {
+            length,
+            step: scene.planner.max_step / length,
+        }
+    }
+
+    /// The scene in units of the length scale: lengths, and whatever else has a length in its unit, gains of the cost
+    /// included. Angles, ratios, masses and times stay.
+    pub fn scene(&self, scene: &Scene) -> Scene {
+        self.units().scene(scene)
+    }
+
+    fn units(&self) -> Units {
+        Units {
+            length: self.length,
+            ..Units::SI
+        }
+    }
+
+    /// A length in m in units of the length scale.
+    pub fn scaled(&self, meters: f64) -> f64 {
+        meters / self.length
+    }
+
+    /// A trajectory in m in units of the length scale.
+    pub fn scaled_trajectory(&self, trajectory: &PairTrajectory) -> PairTrajectory {
+        trajectory.map(|pose| self.units().pose(pose))
+    }
+
+    /// A length in units of the length scale in m.
+    pub fn meters(&self, length: f64) -> f64 {
+        length * self.length
+    }
+
+    /// A place in units of the length scale in m.
+    pub fn place(&self, place: Point) -> Point {
+        place * self.length
+    }
+
+    /// A pose in units of the length scale in m.
+    pub fn pose(&self, pose: Pose) -> Pose {
+        Pose::at(self.place(pose.position()), pose.heading)
+    }
+
+    /// A circle in units of the length scale in m.
+    pub fn circle(&self, circle: &Circle) -> Circle {
+        Circle {
+            center: self.place(circle.center),
+            radius: self.meters(circle.radius),
+            objects: circle.objects.clone(),
+        }
+    }
+
+    /// A trajectory in units of the length scale in m. Where it begins or ends at the scaled scene's pose, it gets the
+    /// pose of `scene`, the scene in m, itself: nothing is lost by scaling there and back.
+    pub fn trajectory(&self, scene: &Scene, trajectory: &PairTrajectory) -> PairTrajectory {
+        let mut back = trajectory.map(|pose| self.pose(pose));
+        let Some(last) = back.len().checked_sub(1) else {
+            return back;
+        };
+        for (i, ends) in [(0, scene.start), (last, scene.end)] {
+            let PairPose { left, right } = ends;
+            for (end, scaled, pose) in [
+                (left, trajectory.left.get(i), back.left.get_mut(i)),
+                (right, trajectory.right.get(i), back.right.get_mut(i)),
+            ] {
+                if let (Some(scaled), Some(pose)) = (scaled, pose)
+                    && scaled.position() == end.position() / self.length
+                {
+                    *pose = Pose::at(end.position(), scaled.heading);
+                }
+            }
+        }
+        back
+    }
+}
