@@ -276,9 +276,14 @@ impl Attempt {
             order: course.order.to_vec(),
             centerline: self.centerline,
             baseline: self.baseline,
-            time_law: Reference::new(&scene.robot, &self.trajectory, &ReferenceLimits::default())
-                .map(|law| (0..law.waypoints()).map(|i| law.waypoint_time(i)).collect())
-                .unwrap_or_default(),
+            time_law: Reference::new(
+                &scene.robot,
+                &scene.planner,
+                &self.trajectory,
+                &ReferenceLimits::default(),
+            )
+            .map(|law| (0..law.waypoints()).map(|i| law.waypoint_time(i)).collect())
+            .unwrap_or_default(),
             trajectory: self.trajectory,
             rehearsal: record.map_or(Rehearsal::Skipped, |record| record.verdict.clone()),
             solver: self.solver,

@@ -26,7 +26,7 @@ pub use reduced_run::{ReducedOutcome, ReducedRun};
 pub use sensing::{Normal, Sensing, Sensors, TORQUE_PERIOD, TRACKER_TICKS};
 pub use statistics::{mixed_seed, quantile};
 
-use crate::reference::{Reference, ReferenceLimits};
+use crate::reference::{Reference, ReferenceLimits, certify_reference};
 use pairtrawl_model::{Execution, PairTrajectory, Plan, Scene, Trial};
 use rayon::prelude::*;
 use trial::Course;
@@ -59,8 +59,13 @@ pub fn execute_trajectory(
     observer: &dyn ExecutionObserver,
 ) -> Result<Execution, ExecutionError> {
     options.validate()?;
-    let reference = Reference::new(&scene.robot, trajectory, &ReferenceLimits::default())?;
-    let reference_certificate = reference.certify(scene, net_length);
+    let reference = Reference::new(
+        &scene.robot,
+        &scene.planner,
+        trajectory,
+        &ReferenceLimits::default(),
+    )?;
+    let reference_certificate = certify_reference(&reference, scene, net_length);
     let warnings = reference_certificate
         .claims
         .iter()

@@ -232,7 +232,13 @@ fn every_law_meets_the_same_random_runs() {
 fn growing_load_from_varying_directions_is_held() {
     let t = drive::trajectory();
     let scene = drive::scene(&t);
-    let reference = Reference::new(&scene.robot, &t, &ReferenceLimits::default()).unwrap();
+    let reference = Reference::new(
+        &scene.robot,
+        &scene.planner,
+        &t,
+        &ReferenceLimits::default(),
+    )
+    .unwrap();
     // 25 g more sixteen times over the drive, on each robot.
     let drag = |time: f64| {
         let steps = (16.0 * time / reference.duration()).ceil().clamp(0.0, 16.0);

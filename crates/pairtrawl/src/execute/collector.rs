@@ -2,7 +2,7 @@
 
 use super::control_loop::PairLoop;
 use super::statistics::ErrorCollector;
-use crate::reference::{PairReference, pose};
+use crate::reference::Sample;
 use pairtrawl_control::AdaptedParameters;
 use pairtrawl_geometry::Point;
 use pairtrawl_model::{ControlSample, DragStatistics, PairPose, TrackingStatistics};
@@ -73,13 +73,13 @@ impl Collector {
     pub fn compare(
         &mut self,
         simulation: &Simulation,
-        reference: &PairReference,
+        reference: &[Sample; 2],
         control: &PairLoop,
     ) {
         let time = simulation.time();
         let targets = PairPose {
-            left: pose(&reference.left),
-            right: pose(&reference.right),
+            left: reference[0].pose,
+            right: reference[1].pose,
         };
         let robots = simulation.pair();
         let error = [

@@ -1,7 +1,7 @@
 //! Two controllers, their sensors and the supervisor, around any pair of robots that takes wheel torques.
 
 use super::sensing::{Sensing, Sensors, TORQUE_PERIOD, TRACKER_TICKS};
-use crate::reference::{PairReference, Reference};
+use crate::reference::{Reference, Sample, control_sample};
 use pairtrawl_control::{
     AdaptedParameters, ControllerParameters, Mode, PairState, PairStopCause, PairSupervisor,
     ParameterError, Pose, RobotController, RobotReport, StopCause, SupervisorLimits, Velocity,
@@ -26,7 +26,7 @@ pub struct PairLoop<'a> {
     sensors: [Sensors; 2],
     supervisor: PairSupervisor<f64>,
     ticks: u64,
-    now: PairReference,
+    now: [Sample; 2],
 }
 
 impl<'a> PairLoop<'a> {
@@ -63,7 +63,7 @@ impl<'a> PairLoop<'a> {
     }
 
     /// The reference of the last tick.
-    pub fn reference(&self) -> &PairReference {
+    pub fn reference(&self) -> &[Sample; 2] {
         &self.now
     }
 
@@ -89,7 +89,7 @@ impl<'a> PairLoop<'a> {
     pub fn tick(&mut self, truth: [Truth; 2]) -> [WheelTorque<f64>; 2] {
         self.now = self.reference.at(self.time());
         let track = self.ticks.is_multiple_of(TRACKER_TICKS);
-        let targets = [self.now.left, self.now.right];
+        let targets = self.now.each_ref().map(control_sample);
         let mut torques = [WheelTorque::default(); 2];
         for side in 0..2 {
             if track {

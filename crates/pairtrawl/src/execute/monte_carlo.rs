@@ -100,7 +100,12 @@ pub fn monte_carlo(
     options: &MonteCarloOptions,
     observer: &dyn ExecutionObserver,
 ) -> Result<MonteCarlo, ExecutionError> {
-    let reference = Reference::new(&scene.robot, trajectory, &ReferenceLimits::default())?;
+    let reference = Reference::new(
+        &scene.robot,
+        &scene.planner,
+        trajectory,
+        &ReferenceLimits::default(),
+    )?;
     let mut rows = Vec::new();
     let mut interrupted = false;
     for (row, &controller) in options.controllers.iter().enumerate() {

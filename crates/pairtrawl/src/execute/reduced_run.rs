@@ -5,7 +5,7 @@ use super::observer::ExecutionObserver;
 use super::plant::{Drag, PlantParameters, ReducedPlant};
 use super::sensing::{Sensing, TORQUE_PERIOD, TRACKER_TICKS};
 use super::statistics::ErrorCollector;
-use crate::reference::Reference;
+use crate::reference::{Reference, control_sample};
 use pairtrawl_control::{
     AdaptedParameters, ControllerParameters, PairStopCause, ParameterError, SupervisorLimits,
 };
@@ -76,8 +76,8 @@ impl ReducedRun<'_> {
         )?;
         let start = self.reference.at(0.0);
         let mut robots = [
-            ReducedPlant::new(self.plants[0], start.left.pose),
-            ReducedPlant::new(self.plants[1], start.right.pose),
+            ReducedPlant::new(self.plants[0], control_sample(&start[0]).pose),
+            ReducedPlant::new(self.plants[1], control_sample(&start[1]).pose),
         ];
         let mut errors = [ErrorCollector::default(); 2];
         let mut outcome = ReducedOutcome {
@@ -100,7 +100,7 @@ impl ReducedRun<'_> {
             }
             let time = control.time();
             let target = self.reference.at(time);
-            for (side, target) in [target.left, target.right].into_iter().enumerate() {
+            for (side, target) in target.into_iter().enumerate() {
                 let pose = robots[side].truth().pose;
                 errors[side].take(time, (pose.x - target.pose.x).hypot(pose.y - target.pose.y));
             }
