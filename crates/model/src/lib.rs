@@ -1,4 +1,5 @@
-//! The vocabulary of Pairtrawl: types only. How they are read from and written to files is elsewhere.
+//! The vocabulary of Pairtrawl: types, and [`numbers`] as people read them. How they are read from and written to files is
+//! elsewhere.
 //!
 //! SI units and radians; map frame of REP-103. `left` and `right` are as seen by someone who walks with the duo.
 
@@ -6,6 +7,7 @@ mod certificate;
 mod claim_id;
 mod cost;
 mod execution;
+pub mod numbers;
 mod parameters;
 mod physics;
 mod plan;
