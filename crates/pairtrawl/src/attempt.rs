@@ -6,8 +6,8 @@ use crate::{Method, NetLength, PlanError, PlanOptions, RehearsalMode, Stage};
 use pairtrawl_certificate::certify;
 use pairtrawl_geometry::Pose;
 use pairtrawl_model::{
-    Certificate, ClaimId, Overrides, PairTrajectory, Plan, Rehearsal, RehearsalRecord, Scene,
-    SceneReference, SolverReport,
+    Certificate, ClaimId, Overrides, PairTrajectory, Plan, Rehearsal, RehearsalRecord, Scales,
+    Scene, SceneReference, SolverReport,
 };
 use pairtrawl_route::{RouteError, baseline};
 use pairtrawl_simulation::rehearse;
@@ -20,18 +20,21 @@ use pairtrawl_world::World;
 /// Everything that stays the same while attempts at a plan are made.
 pub(crate) struct Course<'a> {
     pub scene: &'a Scene,
-    /// d_max, m; `None`: the optimizer chooses it.
+    pub scales: Scales,
+    /// The scene in units of the length scale, as all that the planning stages see.
+    pub scaled: &'a Scene,
+    /// d_max, in units of the length scale; `None`: the optimizer chooses it.
     pub net_length: Option<f64>,
     pub world: &'a World,
     pub order: &'a [usize],
     pub options: &'a PlanOptions,
 }
 
-/// What an attempt starts from.
+/// What an attempt starts from, in units of the length scale.
 pub(crate) enum Origin<'a> {
     /// A centerline, from which the baseline follows, and the pair to begin with where that is another one.
     Centerline(Vec<Pose>, Option<PairTrajectory>),
-    /// The rest of a plan that was made before, and its net length, m.
+    /// The rest of a plan that was made before, and its net length.
     Before(&'a PairTrajectory, f64),
 }
 
@@ -52,7 +55,7 @@ impl Origin<'_> {
     }
 }
 
-/// A pair of trajectories with its verdict.
+/// A pair of trajectories with its verdict, in m.
 pub(crate) struct Attempt {
     pub net_length: f64,
     pub trajectory: PairTrajectory,
@@ -118,7 +121,7 @@ impl Course<'_> {
             if best.certificate.is_valid() {
                 break;
             }
-            *tightening = tightening.after_claims(&best.certificate);
+            *tightening = tightening.after_claims(&best.certificate, &self.scales);
             run.round += 1;
             let next = self.attempt(origin, tightening, run)?;
             if next.failures() <= best.failures() {
@@ -139,22 +142,29 @@ impl Course<'_> {
         tightening: &Tightening,
         run: &mut Run,
     ) -> Result<Attempt, PlanError> {
-        let Self { scene, world, .. } = *self;
-        let baseline = run.stage(Stage::Baseline, || self.baseline(origin, tightening))??;
-        let mut problem = Problem::new(scene, self.net_length, &world.pieces);
+        let Self {
+            scene,
+            scales,
+            world,
+            ..
+        } = *self;
+        let baseline = run
+            .stage(Stage::Baseline, || self.baseline(origin, tightening))?
+            .map_err(|error| error.in_meters(scales.length))?;
+        let mut problem = Problem::new(self.scaled, self.net_length, &world.pieces);
         tightening.apply(&mut problem);
         let solution = run.watched_stage(Stage::Optimize, |may_go_on| {
             self.optimize(&problem, &baseline, origin, &mut |_, _| may_go_on())
         })?;
 
-        let certificate = run.stage(Stage::Certify, || {
-            certify(scene, solution.net_length, &solution.trajectory)
-        })?;
+        let trajectory = scales.trajectory(scene, &solution.trajectory);
+        let net_length = self.meters(solution.net_length);
+        let certificate = run.stage(Stage::Certify, || certify(scene, net_length, &trajectory))?;
         Ok(Attempt {
             warnings: solution
                 .shrunk_margins
                 .iter()
-                .map(|margin| shrunk_margin(scene, margin))
+                .map(|margin| shrunk_margin(scene, &scales, margin))
                 .collect(),
             solver: SolverReport {
                 status: solution.status,
@@ -166,10 +176,14 @@ impl Course<'_> {
                     .max(solution.residuals.complementarity),
                 seconds: run.seconds(Stage::Optimize),
             },
-            net_length: solution.net_length,
-            trajectory: solution.trajectory,
-            centerline: origin.centerline().to_vec(),
-            baseline,
+            net_length,
+            trajectory,
+            centerline: origin
+                .centerline()
+                .iter()
+                .map(|&p| scales.pose(p))
+                .collect(),
+            baseline: scales.trajectory(scene, &baseline),
             certificate,
         })
     }
@@ -193,7 +207,7 @@ impl Course<'_> {
             (Method::Alternating, _) => FirstLength::Printed,
             (Method::AlternatingBounded, _) => FirstLength::Bounded,
         };
-        alternate(self.scene, problem, start, first_length, &settings, go_on).solution
+        alternate(self.scaled, problem, start, first_length, &settings, go_on).solution
     }
 
     /// The trajectories that the optimization starts from.
@@ -203,7 +217,7 @@ impl Course<'_> {
         tightening: &Tightening,
     ) -> Result<PairTrajectory, RouteError> {
         let Self {
-            scene,
+            scaled: scene,
             world,
             order,
             options,
@@ -223,6 +237,14 @@ impl Course<'_> {
             return baseline(world, scene, line, order, Some(more));
         }
         Ok(first)
+    }
+
+    /// A length that the optimizer returns, m. One that was given comes back as it was.
+    fn meters(&self, length: f64) -> f64 {
+        let given = self.options.net_length_for(self.scene);
+        given
+            .filter(|&given| self.scales.scaled(given) == length)
+            .unwrap_or(self.scales.meters(length))
     }
 
     fn rehearse(&self, attempt: &Attempt, run: &mut Run) -> Result<RehearsalRecord, PlanError> {
@@ -272,7 +294,12 @@ impl Attempt {
             net_length: self.net_length,
             scene: reference.clone(),
             overrides,
-            circles: course.world.circles.clone(),
+            circles: course
+                .world
+                .circles
+                .iter()
+                .map(|c| course.scales.circle(c))
+                .collect(),
             order: course.order.to_vec(),
             centerline: self.centerline,
             baseline: self.baseline,
@@ -302,14 +329,19 @@ impl Attempt {
 }
 
 /// A warning about a margin that the scene left no room for.
-fn shrunk_margin(scene: &Scene, margin: &ShrunkMargin) -> String {
+fn shrunk_margin(scene: &Scene, scales: &Scales, margin: &ShrunkMargin) -> String {
     let what = match margin.claim {
         ClaimId::NetEnclosesNoObstacle => "between net and obstacle",
         ClaimId::RobotsMissObjects => "between robot and object",
         _ => "between robot and obstacle",
     };
+    let place = scales.place(margin.place);
     format!(
         "the margin {what} shrinks to {:.3} m of the {:.3} m wished for, at waypoint {} near ({:.3}, {:.3})",
-        margin.left, scene.planner.clearance, margin.step, margin.place.x, margin.place.y
+        scales.meters(margin.left),
+        scene.planner.clearance,
+        margin.step,
+        place.x,
+        place.y
     )
 }

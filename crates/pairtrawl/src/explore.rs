@@ -45,11 +45,17 @@ struct Explored {
 }
 
 /// Puts the visiting order that leads to the least cost first, and before it the variation that betters it most.
-pub(crate) fn explore(starts: &mut Starts, world: &World, scene: &Scene, options: &PlanOptions) {
+pub(crate) fn explore(
+    starts: &mut Starts,
+    world: &World,
+    scene: &Scene,
+    net_length: Option<f64>,
+    options: &PlanOptions,
+) {
     if !options.explore || options.method != Method::Joint {
         return;
     }
-    let problem = Problem::new(scene, options.net_length_for(scene), &world.pieces);
+    let problem = Problem::new(scene, net_length, &world.pieces);
     let (orders, _) = starts.list.split_at_mut(starts.explored);
     let mut ranked: Vec<(Explored, Option<PairTrajectory>)> = orders
         .par_iter()

@@ -60,6 +60,8 @@ pub fn length_curve(
 ) -> Result<LengthCurve, PlanError> {
     let mut run = Run::new(options, observer);
     let CommonStart {
+        scales,
+        scaled,
         world,
         order,
         centerline,
@@ -80,7 +82,9 @@ pub fn length_curve(
         }
         let course = Course {
             scene,
-            net_length,
+            scales,
+            scaled: &scaled,
+            net_length: net_length.map(|length| scales.scaled(length)),
             world: &world,
             order: &order,
             options: &fixed,

@@ -7,7 +7,7 @@ use crate::run::Run;
 use crate::starts::starts;
 use crate::{Observer, PlanError, PlanOptions, Stage, waypoints};
 use pairtrawl_certificate::infeasibility;
-use pairtrawl_model::{Plan, RehearsalRecord, Scene, SceneReference, StageTime};
+use pairtrawl_model::{Plan, RehearsalRecord, Scales, Scene, SceneReference, StageTime};
 use pairtrawl_world::World;
 
 /// A plan and what planning it showed.
@@ -42,10 +42,17 @@ pub fn plan(
     if let Some(proof) = proof {
         return Err(PlanError::Infeasible { proof });
     }
-    let world = run.stage(Stage::World, || World::new(scene, net_length))??;
-    let mut starts = run.stage(Stage::Order, || starts(&world, scene, options))??;
+    let scales = Scales::of(scene);
+    let scaled = scales.scene(scene);
+    let net_length = net_length.map(|length| scales.scaled(length));
+    let world = run
+        .stage(Stage::World, || World::new(&scaled, net_length))?
+        .map_err(|error| error.in_meters(scales.length))?;
+    let mut starts = run
+        .stage(Stage::Order, || starts(&world, &scaled, options))?
+        .map_err(|error| error.in_meters(scales.length))?;
     run.stage(Stage::Explore, || {
-        explore(&mut starts, &world, scene, options);
+        explore(&mut starts, &world, &scaled, net_length, options);
     })?;
 
     // The best start first; the others only while no certified plan is found.
@@ -53,6 +60,8 @@ pub fn plan(
     for (failed, start) in starts.list.iter().enumerate() {
         let course = Course {
             scene,
+            scales,
+            scaled: &scaled,
             net_length,
             world: &world,
             order: &start.order,
@@ -60,9 +69,9 @@ pub fn plan(
         };
         let attempt = run
             .stage(Stage::Centerline, || {
-                start.centerline(&world, scene, options.seed)
+                start.centerline(&world, &scaled, options.seed)
             })?
-            .map_err(PlanError::from)
+            .map_err(|error| PlanError::from(error.in_meters(scales.length)))
             .and_then(|line| {
                 course.rehearsed_attempt(&Origin::Centerline(line, start.pair.clone()), &mut run)
             });

@@ -2,7 +2,7 @@ use crate::attempt::{Course, Origin};
 use crate::run::Run;
 use crate::{Observer, PlanError, PlanOptions, Planned, Stage, plan};
 use pairtrawl_certificate::infeasibility;
-use pairtrawl_model::{PairPose, PairTrajectory, Plan, Scene, SceneReference};
+use pairtrawl_model::{PairPose, PairTrajectory, Plan, Scales, Scene, SceneReference};
 use pairtrawl_world::World;
 
 /// Fewest waypoints that are worth a warm start.
@@ -79,7 +79,12 @@ fn warm(
             proof: proof.message,
         });
     }
-    let world = run.stage(Stage::World, || World::new(scene, net_length))??;
+    let scales = Scales::of(scene);
+    let scaled = scales.scene(scene);
+    let net_length = net_length.map(|length| scales.scaled(length));
+    let world = run
+        .stage(Stage::World, || World::new(&scaled, net_length))?
+        .map_err(|error| error.in_meters(scales.length))?;
     // The order is told from the old plan only while there are as many circles.
     let order = if before.order.len() == world.circles.len() {
         before.order.clone()
@@ -88,13 +93,16 @@ fn warm(
     };
     let course = Course {
         scene,
+        scales,
+        scaled: &scaled,
         net_length,
         world: &world,
         order: &order,
         options,
     };
-    let (attempt, rehearsal) =
-        course.rehearsed_attempt(&Origin::Before(rest, before.net_length), &mut run)?;
+    let rest = scales.scaled_trajectory(rest);
+    let origin = Origin::Before(&rest, scales.scaled(before.net_length));
+    let (attempt, rehearsal) = course.rehearsed_attempt(&origin, &mut run)?;
     let mut plan = attempt.into_plan(&course, reference, rehearsal.as_ref());
     plan.centerline = before.centerline.clone();
     Ok(Planned {

@@ -1,8 +1,8 @@
 use crate::explore::explore;
 use crate::run::Run;
-use crate::{CenterlineMethod, NetLength, OrderMethod, PlanError, PlanOptions, Stage};
+use crate::{CenterlineMethod, OrderMethod, PlanError, PlanOptions, Stage};
 use pairtrawl_geometry::Pose;
-use pairtrawl_model::{PairTrajectory, Scene};
+use pairtrawl_model::{PairTrajectory, Scales, Scene};
 use pairtrawl_route::{RouteError, baseline, hybrid_a_star, rrt_star, visiting_orders};
 use pairtrawl_world::World;
 
@@ -87,6 +87,9 @@ pub(crate) fn starts(
 
 /// What studies over the net length have in common: the same start for every length.
 pub(crate) struct CommonStart {
+    pub scales: Scales,
+    /// The scene in units of the length scale, as everything below.
+    pub scaled: Scene,
     pub world: World,
     pub order: Vec<usize>,
     pub centerline: Vec<Pose>,
@@ -97,31 +100,39 @@ pub(crate) struct CommonStart {
 impl CommonStart {
     /// The start that is best with the net length open.
     pub fn new(scene: &Scene, options: &PlanOptions, run: &mut Run) -> Result<Self, PlanError> {
-        let world = run.stage(Stage::World, || World::new(scene, None))??;
-        let mut starts = run.stage(Stage::Order, || starts(&world, scene, options))??;
-        let open = PlanOptions {
-            net_length: Some(NetLength::Auto),
-            ..options.clone()
-        };
+        let scales = Scales::of(scene);
+        let scaled = scales.scene(scene);
+        let world = run
+            .stage(Stage::World, || World::new(&scaled, None))?
+            .map_err(|error| error.in_meters(scales.length))?;
+        let mut starts = run
+            .stage(Stage::Order, || starts(&world, &scaled, options))?
+            .map_err(|error| error.in_meters(scales.length))?;
         run.stage(Stage::Explore, || {
-            explore(&mut starts, &world, scene, &open);
+            explore(&mut starts, &world, &scaled, None, options);
         })?;
         let start = starts
             .list
             .into_iter()
             .next()
             .ok_or_else(PlanError::no_start)?;
-        let centerline = run.stage(Stage::Centerline, || {
-            start.centerline(&world, scene, options.seed)
-        })??;
+        let centerline = run
+            .stage(Stage::Centerline, || {
+                start.centerline(&world, &scaled, options.seed)
+            })?
+            .map_err(|error| error.in_meters(scales.length))?;
         let given = options.waypoints.or(scene.planner.waypoints);
         let pair = match start.pair {
             Some(pair) => pair,
-            None => run.stage(Stage::Baseline, || {
-                baseline(&world, scene, &centerline, &start.order, given)
-            })??,
+            None => run
+                .stage(Stage::Baseline, || {
+                    baseline(&world, &scaled, &centerline, &start.order, given)
+                })?
+                .map_err(|error| error.in_meters(scales.length))?,
         };
         Ok(Self {
+            scales,
+            scaled,
             world,
             order: start.order,
             centerline,

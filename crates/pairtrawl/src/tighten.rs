@@ -1,17 +1,17 @@
 //! What the next attempt does differently after a claim or a rehearsal failed.
 //!
-//! Every change only makes the next problem stricter or finer; whatever comes out of it is judged against the scene itself.
+//! Lengths are in units of the length scale. Every change only makes the next problem stricter or finer; whatever comes out of it is judged against the scene itself.
 
-use pairtrawl_model::{Certificate, ClaimId, RehearsalEventKind};
+use pairtrawl_model::{Certificate, ClaimId, RehearsalEventKind, Scales};
 use pairtrawl_trajopt::Problem;
 
-/// Kept at least beyond a claim that failed once, in the claim's unit.
+/// Kept at least beyond a claim that failed once, a length or an angle.
 const LEAST_RESERVE: f64 = 1e-3;
 /// A claim that failed by some amount gets this many times the amount in reserve.
 const RESERVE_FACTOR: f64 = 1.5;
 /// So many more waypoints when an attempt did not fit its steps.
 const MORE_WAYPOINTS: f64 = 1.1;
-/// Added to clearances when something was touched in a rehearsal, m.
+/// Added to clearances when something was touched in a rehearsal.
 const MORE_CLEARANCE: f64 = 0.03;
 /// Headings kept closer to abreast after a snag, rad.
 const LESS_SKEW: f64 = 0.15;
@@ -21,13 +21,13 @@ const GENTLER_TURNS: f64 = 0.75;
 /// What is asked beyond the scene's own margins.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(crate) struct Tightening {
-    /// Added to the wished distance of robots from obstacles and objects, m.
+    /// Added to the wished distance of robots from obstacles and objects.
     clearance: f64,
-    /// Added to the wished distance of the net's straight line from obstacles, m.
+    /// Added to the wished distance of the net's straight line from obstacles.
     net_clearance: f64,
-    /// Added to both bounds of the separation, m.
+    /// Added to both bounds of the separation.
     separation: f64,
-    /// Subtracted from the net's reach, m.
+    /// Subtracted from the net's reach.
     net_reach: f64,
     /// Subtracted from max_skew, rad.
     skew: f64,
@@ -60,10 +60,15 @@ impl Tightening {
     }
 
     /// The same and more, after a certificate that does not hold.
-    pub fn after_claims(self, certificate: &Certificate) -> Self {
+    pub fn after_claims(self, certificate: &Certificate, scales: &Scales) -> Self {
         let mut next = self;
         for claim in certificate.claims.iter().filter(|claim| !claim.holds) {
-            let more = (-RESERVE_FACTOR * claim.margin).clamp(LEAST_RESERVE, 0.1);
+            let unit = if claim.id.unit() == "m" {
+                scales.length
+            } else {
+                1.0
+            };
+            let more = (-RESERVE_FACTOR * claim.margin / unit).clamp(LEAST_RESERVE, 0.1);
             match claim.id {
                 ClaimId::RobotClearance | ClaimId::RobotsMissObjects => next.clearance += more,
                 ClaimId::NetEnclosesNoObstacle => next.net_clearance += more,

@@ -28,31 +28,35 @@ pub fn separation_study(
 ) -> Result<SeparationStudy, PlanError> {
     let mut run = Run::new(options, observer);
     let CommonStart {
+        scales,
+        scaled,
         world,
         pair: baseline,
         ..
     } = CommonStart::new(scene, options, &mut run)?;
-    let problem = |net_length| Problem::new(scene, Some(net_length), &world.pieces);
+    let problem = |net_length| Problem::new(&scaled, Some(net_length), &world.pieces);
     let settings = Settings::default();
 
     let lengths: Vec<f64> = range.lengths().collect();
     run.stage(Stage::Optimize, || {
-        let mut free = problem(range.from);
+        let mut free = problem(scales.scaled(range.from));
         free.separation = SeparationRule::Free;
         let solution = optimize(&free, &baseline, &settings);
         let rigid = lengths
             .par_iter()
             .map(|&length| {
-                let problem = problem(length).with_rigid_separation(baseline.len(), length);
+                let scaled_length = scales.scaled(length);
+                let problem =
+                    problem(scaled_length).with_rigid_separation(baseline.len(), scaled_length);
                 let solution = optimize(&problem, &baseline, &settings);
-                let cost = evaluate(scene, &solution.trajectory, length);
+                let cost = evaluate(&scaled, &solution.trajectory, scaled_length);
                 (length, refused(&solution).map_or(Ok(cost), Err))
             })
             .collect();
-        let needed = needed_length(&solution.trajectory, scene.robot.hitch);
-        let cost = evaluate(scene, &solution.trajectory, needed);
+        let needed = needed_length(&solution.trajectory, scaled.robot.hitch);
+        let cost = evaluate(&scaled, &solution.trajectory, needed);
         SeparationStudy {
-            free: refused(&solution).map_or(Ok((needed, cost)), Err),
+            free: refused(&solution).map_or(Ok((scales.meters(needed), cost)), Err),
             rigid,
         }
     })

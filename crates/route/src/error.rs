@@ -40,3 +40,19 @@ pub enum RouteError {
         waypoints: usize,
     },
 }
+
+impl RouteError {
+    /// The same with its places in meters, after planning in units of `length` meters.
+    #[must_use]
+    pub fn in_meters(self, length: f64) -> Self {
+        match self {
+            Self::NoPath { from, to } => Self::NoPath {
+                from: from * length,
+                to: to * length,
+            },
+            Self::BadOrder { .. } | Self::BadCenterline { .. } | Self::TooFewWaypoints { .. } => {
+                self
+            }
+        }
+    }
+}

@@ -45,3 +45,35 @@ pub enum WorldError {
         index: usize,
     },
 }
+
+impl WorldError {
+    /// The same with its lengths in meters, after a world was built in units of `length` meters.
+    #[must_use]
+    pub fn in_meters(self, length: f64) -> Self {
+        match self {
+            Self::TooManyCells {
+                cells,
+                width,
+                height,
+                resolution,
+                bound,
+            } => Self::TooManyCells {
+                cells,
+                width: width * length,
+                height: height * length,
+                resolution: resolution * length,
+                bound,
+            },
+            Self::NotPositive { name, value } => Self::NotPositive {
+                name,
+                value: value * length,
+            },
+            Self::NotFinite { name, x, y } => Self::NotFinite {
+                name,
+                x: x * length,
+                y: y * length,
+            },
+            Self::FlatPolygon { .. } => self,
+        }
+    }
+}
