@@ -1,14 +1,24 @@
 use crate::TOLERANCE;
-use pairtrawl_model::{Claim, ClaimId, Overrides};
+use pairtrawl_model::{Claim, ClaimId, Overrides, SceneReference};
 
-/// The claim `scene`: a plan's hash is the scene's. Hexadecimal digits compare without regard to case.
-pub fn scene_claim(expected_sha256: &str, found_sha256: &str) -> Claim {
-    let holds = expected_sha256.eq_ignore_ascii_case(found_sha256);
-    let detail = if holds {
+/// The claim `scene`: the plan names this scene, by the hash of its files or, when both state it, by the hash of what the
+/// files say. Hexadecimal digits compare without regard to case.
+pub fn scene_claim(scene: &SceneReference, named: &SceneReference) -> Claim {
+    let same_files = scene.sha256.eq_ignore_ascii_case(&named.sha256);
+    let same_content = match (&scene.content_sha256, &named.content_sha256) {
+        (Some(ours), Some(theirs)) => ours.eq_ignore_ascii_case(theirs),
+        _ => false,
+    };
+    let holds = same_files || same_content;
+    let detail = if same_files {
         String::new()
+    } else if same_content {
+        "the scene says the same as when it was planned, but the bytes of its files differ: a comment or the layout changed"
+            .to_owned()
     } else {
         format!(
-            "the plan is for a scene with hash '{found_sha256}', this scene has '{expected_sha256}'"
+            "the plan is for a scene with hash '{}', this scene has '{}'",
+            named.sha256, scene.sha256
         )
     };
     Claim {

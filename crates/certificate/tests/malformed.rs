@@ -4,7 +4,7 @@ mod support;
 
 use pairtrawl_certificate::{certify, net_length_claim, scene_claim};
 use pairtrawl_geometry::{Point, Pose};
-use pairtrawl_model::{Obstacle, OccupancyMap, Overrides, PairTrajectory};
+use pairtrawl_model::{Obstacle, OccupancyMap, Overrides, PairTrajectory, SceneReference};
 use support::build::{cube, straight, wall};
 use support::{Case, claim};
 
@@ -82,8 +82,18 @@ fn what_cannot_be_judged_fails_with_a_reason() {
 
 #[test]
 fn files_claims_compare_hash_and_length() {
-    assert!(scene_claim("ab12", "AB12").holds);
-    assert!(!scene_claim("ab12", "ab13").holds);
+    let reference = |files: &str, content: Option<&str>| SceneReference {
+        sha256: files.to_owned(),
+        content_sha256: content.map(str::to_owned),
+        ..SceneReference::default()
+    };
+    let scene = reference("ab12", Some("77"));
+    assert!(scene_claim(&scene, &reference("AB12", None)).holds);
+    assert!(!scene_claim(&scene, &reference("ab13", None)).holds);
+    assert!(!scene_claim(&scene, &reference("ab13", Some("78"))).holds);
+    let commented = scene_claim(&scene, &reference("ab13", Some("77")));
+    assert!(commented.holds && commented.detail.contains("bytes of its files differ"));
+    assert!(!scene_claim(&reference("ab12", None), &reference("ab13", None)).holds);
     let asked = |length| Overrides {
         net_length: Some(length),
     };

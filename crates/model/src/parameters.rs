@@ -2,6 +2,12 @@ use std::f64::consts::FRAC_2_PI;
 
 /// The planner's parameters (`[planner]` of a scene). Defaults are the paper's where it gives one.
 #[derive(Clone, Copy, Debug, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize))]
+#[cfg_attr(
+    feature = "schema",
+    derive(schemars::JsonSchema),
+    schemars(default, deny_unknown_fields)
+)]
 pub struct PlannerParameters {
     /// Delta L_max: greatest distance a robot moves in a step, m.
     pub max_step: f64,

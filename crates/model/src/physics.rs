@@ -1,5 +1,11 @@
 /// Masses, frictions and gravity for rehearsal and execution (`[physics]` of a scene).
 #[derive(Clone, Copy, Debug, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize))]
+#[cfg_attr(
+    feature = "schema",
+    derive(schemars::JsonSchema),
+    schemars(default, deny_unknown_fields)
+)]
 pub struct PhysicsParameters {
     /// Gravity, m/s^2.
     pub gravity: f64,

@@ -42,6 +42,9 @@ pub struct SceneReference {
     pub name: String,
     /// Hexadecimal SHA-256 of the scene file, then the map YAML, then the image.
     pub sha256: String,
+    /// Hexadecimal SHA-256 of what the files say: it does not change with comments, order or layout. `None` in plans that
+    /// do not state it.
+    pub content_sha256: Option<String>,
 }
 
 /// What the command line changed against the scene.
@@ -109,4 +112,28 @@ pub enum SolverStatus {
     NumericalTrouble,
     /// The plan comes from a file: how it was found is not known.
     NotStated,
+}
+
+impl SolverStatus {
+    /// All, in the order of their declaration.
+    pub const ALL: [Self; 6] = [
+        Self::Converged,
+        Self::LocallyInfeasible,
+        Self::IterationLimit,
+        Self::TimeLimit,
+        Self::NumericalTrouble,
+        Self::NotStated,
+    ];
+
+    /// The name in files.
+    pub const fn name(self) -> &'static str {
+        match self {
+            Self::Converged => "converged",
+            Self::LocallyInfeasible => "locally_infeasible",
+            Self::IterationLimit => "iteration_limit",
+            Self::TimeLimit => "time_limit",
+            Self::NumericalTrouble => "numerical_trouble",
+            Self::NotStated => "not_stated",
+        }
+    }
 }

@@ -160,6 +160,12 @@ impl PairPose {
 
 /// The robot. The default is the TurtleBot3 Waffle Pi.
 #[derive(Clone, Copy, Debug, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize))]
+#[cfg_attr(
+    feature = "schema",
+    derive(schemars::JsonSchema),
+    schemars(default, deny_unknown_fields)
+)]
 pub struct Robot {
     /// Radius of the circle around the axle center that contains the robot, m.
     pub radius: f64,

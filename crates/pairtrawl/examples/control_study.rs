@@ -8,10 +8,9 @@
 
 use pairtrawl::execute::{
     Drag, ExecutionOptions, MonteCarloOptions, NominalInertia, PlantParameters, ReducedRun,
-    Sensing, controller_parameters, execute_trajectory, monte_carlo, write_execution,
-    write_recording,
+    Sensing, controller_parameters, execute_trajectory, monte_carlo, write_recording,
 };
-use pairtrawl::files::{read_plan, read_scene};
+use pairtrawl::files::{read_plan, read_scene, write_execution};
 use pairtrawl::model::{ControllerKind, PairTrajectory, Scene};
 use pairtrawl::reference::{Reference, ReferenceLimits};
 use pairtrawl_control::{LawParameters, SupervisorLimits};
@@ -50,6 +49,7 @@ fn main() -> Result<(), Box<dyn Error>> {
             write_execution(
                 &Path::new(folder).join("execution.json"),
                 &execution,
+                &options,
                 &loaded.reference,
             )?;
             write_recording(

@@ -20,7 +20,7 @@ pub struct Candidate<'a> {
 /// first. Nothing else that the plan says is believed.
 pub fn check(scene: &Scene, reference: &SceneReference, candidate: &Candidate) -> Certificate {
     let whose = match candidate.scene {
-        Some(named) => scene_claim(&reference.sha256, &named.sha256),
+        Some(named) => scene_claim(reference, named),
         None => Claim {
             id: ClaimId::Scene,
             holds: true,

@@ -3,7 +3,6 @@
 mod collector;
 mod control_loop;
 mod error;
-mod file;
 mod monte_carlo;
 mod observer;
 mod options;
@@ -16,7 +15,6 @@ mod trial;
 
 pub use control_loop::{PairLoop, Truth};
 pub use error::ExecutionError;
-pub use file::{execution_json, write_execution};
 pub use monte_carlo::{GrowingDrag, MonteCarlo, MonteCarloOptions, MonteCarloRow, monte_carlo};
 pub use observer::ExecutionObserver;
 pub use options::{ExecutionOptions, NominalInertia, controller_parameters};

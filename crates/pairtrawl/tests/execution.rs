@@ -4,9 +4,9 @@ mod drive;
 
 use pairtrawl::execute::{
     Drag, ExecutionObserver, ExecutionOptions, MonteCarloOptions, NominalInertia, PlantParameters,
-    ReducedRun, Sensing, controller_parameters, execute_trajectory, execution_json, monte_carlo,
-    recording,
+    ReducedRun, Sensing, controller_parameters, execute_trajectory, monte_carlo, recording,
 };
+use pairtrawl::files::execution_json;
 use pairtrawl::model::{ControllerKind, Execution, ExecutionEventKind, SceneReference};
 use pairtrawl::reference::{Reference, ReferenceLimits};
 use pairtrawl_control::SupervisorLimits;
@@ -149,8 +149,12 @@ fn files_say_what_happened() {
         trials: 1,
         ..options()
     });
-    let json: serde_json::Value =
-        serde_json::from_str(&execution_json(&execution, &SceneReference::default())).unwrap();
+    let json: serde_json::Value = serde_json::from_str(&execution_json(
+        &execution,
+        &options(),
+        &SceneReference::default(),
+    ))
+    .unwrap();
     assert_eq!(json["format"], "pairtrawl-execution/1");
     let trial = &json["trials"][0];
     assert_eq!(trial["gathered"], serde_json::json!([true, true]));

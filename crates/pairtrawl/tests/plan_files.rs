@@ -29,6 +29,7 @@ fn plan() -> Plan {
         scene: SceneReference {
             name: "hall \"A\"".to_owned(),
             sha256: "00ff".to_owned(),
+            content_sha256: Some("01fe".to_owned()),
         },
         time_law: Vec::new(),
         overrides: Overrides {
@@ -219,14 +220,18 @@ fn csv_and_tum_have_a_line_for_each_waypoint() {
 }
 
 #[test]
-fn a_failed_write_is_exit_code_8_and_leaves_no_trace() {
+fn a_failed_write_comes_from_the_system_and_leaves_no_trace() {
     let folder = tempfile::tempdir().unwrap();
     let error = write_atomically(&folder.path().join("missing/plan.json"), b"x").unwrap_err();
-    assert_eq!(error.exit_code(), 8);
+    assert!(error.is_from_system());
     // A folder stands where the file should go.
     let target = folder.path().join("plan.json");
     std::fs::create_dir(&target).unwrap();
-    assert_eq!(write_atomically(&target, b"x").unwrap_err().exit_code(), 8);
+    assert!(
+        write_atomically(&target, b"x")
+            .unwrap_err()
+            .is_from_system()
+    );
     assert_eq!(std::fs::read_dir(folder.path()).unwrap().count(), 1);
 }
 
@@ -243,4 +248,37 @@ fn a_result_replaces_the_old_one_and_can_be_read_by_others() {
     std::fs::write(&plain, b"x").unwrap();
     let mode = |p: &Path| std::fs::metadata(p).unwrap().permissions().mode();
     assert_eq!(mode(&path), mode(&plain));
+}
+
+#[test]
+fn a_comment_leaves_the_content_hash_and_a_number_changes_it() {
+    let text = include_str!("../../../scenes/paper-experiment/scene.toml");
+    let reference = |text: &str| {
+        pairtrawl::files::parse_scene(text, "scene")
+            .expect("a scene")
+            .reference
+    };
+    let (plain, commented) = (reference(text), reference(&format!("# note\n{text}\n")));
+    assert_ne!(plain.sha256, commented.sha256);
+    assert_eq!(plain.content_sha256, commented.content_sha256);
+    assert!(plain.content_sha256.is_some());
+    // Each of these changes one thing that the scene says.
+    for (table, line) in [
+        ("robot", "half_track = 0.1441"),
+        ("planner", "k1 = 1e6"),
+        ("physics", "net_mass = 0.021"),
+        ("planner", "waypoints = 300"),
+    ] {
+        let header = format!("[{table}]");
+        let changed = if text.contains(&header) {
+            text.replace(&header, &format!("{header}\n{line}"))
+        } else {
+            format!("{text}\n{header}\n{line}\n")
+        };
+        assert_ne!(
+            plain.content_sha256,
+            reference(&changed).content_sha256,
+            "{line}"
+        );
+    }
 }

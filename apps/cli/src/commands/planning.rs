@@ -159,7 +159,7 @@ impl From<PlanError> for Failure {
 
 impl From<files::FileError> for Failure {
     fn from(error: files::FileError) -> Self {
-        let exit = if error.exit_code() == 8 {
+        let exit = if error.is_from_system() {
             Exit::Files
         } else {
             Exit::BadInput

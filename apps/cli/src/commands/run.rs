@@ -5,8 +5,8 @@ use crate::exit::{Exit, Failure};
 use crate::interrupt;
 use crate::output::{self, Done};
 use crate::trials::Trials;
-use pairtrawl::execute::{ExecutionOptions, execution_json, recording};
-use pairtrawl::files::{read_scene, write_atomically};
+use pairtrawl::execute::{ExecutionOptions, recording};
+use pairtrawl::files::{execution_json, read_scene, write_atomically};
 use pairtrawl::model::{Execution, Trial};
 use pairtrawl::report::mcap::RECORDING_NAME;
 use serde_json::{Value, json};
@@ -28,7 +28,7 @@ pub fn run(arguments: &RunArguments) -> Result<Done, Failure> {
 
     let mut summary = pairtrawl::summarize(scene, &plan, &[], None);
     summary.execution = Some(pairtrawl::summarize_execution(scene, &execution));
-    let file = execution_json(&execution, &loaded.reference);
+    let file = execution_json(&execution, &options, &loaded.reference);
     let object: Value = serde_json::from_str(&file).map_err(|error| {
         Failure::new(
             Exit::Internal,

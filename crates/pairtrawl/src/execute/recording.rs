@@ -17,7 +17,7 @@ pub enum WriteRecordingError {
     /// A message cannot be encoded.
     #[error(transparent)]
     Recording(#[from] RecordingError),
-    /// A file cannot be written (exit code 8).
+    /// A file cannot be written.
     #[error(transparent)]
     File(#[from] FileError),
 }

@@ -7,7 +7,7 @@ use std::path::Path;
 /// folder, synced, renamed over the target. On an error the target is as it was and the temporary file is gone.
 ///
 /// # Errors
-/// When the system refuses (exit code 8).
+/// When the system refuses.
 pub fn write_atomically(path: &Path, content: &[u8]) -> Result<(), FileError> {
     let folder = match path.parent() {
         Some(parent) if !parent.as_os_str().is_empty() => parent,

@@ -6,7 +6,7 @@ use std::path::Path;
 /// Writes `plan.csv`, atomically.
 ///
 /// # Errors
-/// When the system refuses (exit code 8).
+/// When the system refuses.
 pub fn write_csv(path: &Path, trajectory: &PairTrajectory) -> Result<(), FileError> {
     write_atomically(path, csv_text(trajectory).as_bytes())
 }

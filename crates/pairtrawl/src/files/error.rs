@@ -118,12 +118,9 @@ impl FileError {
         Self::new(path, Problem::System { action, source })
     }
 
-    /// The program's exit code: 8 when the system refuses (permission, disk), else 3, bad input. A file that is not there
-    /// is bad input: whoever named it can mend that, and nothing outside of the input stands in the way.
-    pub fn exit_code(&self) -> u8 {
-        match self.problem {
-            Problem::System { .. } => 8,
-            _ => 3,
-        }
+    /// True when the system refuses (permission, disk). A file that is not there is bad input instead: whoever named it can
+    /// put that right, and nothing outside of the input stands in the way.
+    pub fn is_from_system(&self) -> bool {
+        matches!(self.problem, Problem::System { .. })
     }
 }

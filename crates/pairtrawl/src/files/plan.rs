@@ -1,5 +1,7 @@
-//! `plan.json` (FORMATS: `pairtrawl-plan/1`). The types of the file are apart from those of the model.
+//! `plan.json`, format `pairtrawl-plan/1`. The types of the file are apart from those of the model.
 
+pub(super) mod file;
+mod layout;
 mod read;
 mod write;
 

@@ -1,7 +1,8 @@
-//! `scene.toml` (FORMATS: `pairtrawl-scene/1`).
+//! `scene.toml`, format `pairtrawl-scene/1`.
 
 mod area;
 mod checks;
+pub(super) mod content;
 mod parameters;
 mod shapes;
 
@@ -29,7 +30,7 @@ pub struct LoadedScene {
 /// Reads and checks a scene file and the map that it names.
 ///
 /// # Errors
-/// When a file cannot be read, is no scene, or describes one that makes no sense; [`FileError::exit_code`] says which.
+/// When a file cannot be read, is no scene, or describes one that makes no sense.
 pub fn read_scene(path: &Path) -> Result<LoadedScene, FileError> {
     let bytes = read_bounded(path, SCENE_BYTES)?;
     parse(path, text(path, &bytes)?, &|file, bound| {
@@ -103,10 +104,7 @@ fn parse(path: &Path, text: &str, read_file: ReadFile<'_>) -> Result<LoadedScene
     let area = area::read(&root, path, read_file)?;
     let mut parts = vec![text.as_bytes()];
     parts.extend(area.hashed.iter().map(Vec::as_slice));
-    let reference = SceneReference {
-        name: name.clone(),
-        sha256: sha256_hex(&parts),
-    };
+    let sha256 = sha256_hex(&parts);
 
     let scene = Scene {
         name,
@@ -123,6 +121,11 @@ fn parse(path: &Path, text: &str, read_file: ReadFile<'_>) -> Result<LoadedScene
     };
     let mut warnings = area.warnings;
     checks::check(&scene, &root, &mut warnings)?;
+    let reference = SceneReference {
+        name: scene.name.clone(),
+        sha256,
+        content_sha256: Some(content::sha256(&scene)),
+    };
     Ok(LoadedScene {
         scene,
         reference,

@@ -6,7 +6,7 @@ use std::path::Path;
 /// Writes one robot's trajectory as a TUM file, atomically; `step_time` in s.
 ///
 /// # Errors
-/// When the system refuses (exit code 8).
+/// When the system refuses.
 pub fn write_tum(path: &Path, poses: &[Pose], step_time: f64) -> Result<(), FileError> {
     write_atomically(path, tum_text(poses, step_time).as_bytes())
 }

@@ -1,4 +1,5 @@
 use super::FORMAT;
+use super::file::{Auto, File, FileNetLength};
 use crate::files::limits::{PLAN_BYTES, read_bounded, text};
 use crate::files::{FileError, Problem};
 use pairtrawl_geometry::{Point, Pose};
@@ -106,74 +107,6 @@ struct Header {
     format: Option<String>,
 }
 
-#[derive(Deserialize)]
-struct File {
-    net_length: f64,
-    left: Vec<[f64; 3]>,
-    right: Vec<[f64; 3]>,
-    step_time: Option<f64>,
-    scene: Option<Reference>,
-    #[serde(default)]
-    overrides: FileOverrides,
-    #[serde(default)]
-    centerline: Vec<[f64; 3]>,
-    baseline: Option<Baseline>,
-    #[serde(default)]
-    circles: Vec<FileCircle>,
-    #[serde(default)]
-    order: Vec<usize>,
-    cost: Option<FileCost>,
-}
-
-#[derive(Deserialize)]
-struct Reference {
-    #[serde(default)]
-    name: String,
-    sha256: String,
-}
-
-#[derive(Default, Deserialize)]
-struct FileOverrides {
-    net_length: Option<FileNetLength>,
-}
-
-#[derive(Clone, Copy, Deserialize)]
-#[serde(untagged)]
-enum FileNetLength {
-    Fixed(f64),
-    Auto(Auto),
-}
-
-#[derive(Clone, Copy, Deserialize)]
-#[serde(rename_all = "lowercase")]
-enum Auto {
-    Auto,
-}
-
-#[derive(Deserialize)]
-struct Baseline {
-    left: Vec<[f64; 3]>,
-    right: Vec<[f64; 3]>,
-}
-
-#[derive(Deserialize)]
-struct FileCircle {
-    center: [f64; 2],
-    radius: f64,
-    #[serde(default)]
-    objects: Vec<usize>,
-}
-
-#[derive(Deserialize)]
-#[serde(default)]
-#[derive(Default)]
-struct FileCost {
-    smoothness: f64,
-    distance: f64,
-    obstacle: f64,
-    expansion: f64,
-}
-
 impl File {
     fn check(&self) -> Result<(), Problem> {
         let refuse = |field: &str, value: String, bound: &str| {
@@ -236,6 +169,7 @@ impl From<File> for PlanFile {
             scene: file.scene.map(|s| SceneReference {
                 name: s.name,
                 sha256: s.sha256,
+                content_sha256: s.content_sha256,
             }),
             overrides: Overrides {
                 net_length: file.overrides.net_length.map(|length| match length {

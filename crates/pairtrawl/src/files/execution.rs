@@ -1,0 +1,9 @@
+//! `execution.json`, format `pairtrawl-execution/1`. The types of the file are apart from those of the model.
+
+pub(super) mod file;
+mod write;
+
+pub use write::{execution_json, write_execution};
+
+/// The first field of every execution.
+const FORMAT: &str = "pairtrawl-execution/1";
