@@ -8,8 +8,8 @@ pub struct Plan {
     pub net_length: f64,
     /// What the robots drive.
     pub trajectory: PairTrajectory,
-    /// When the controllers' reference passes each waypoint, s from the start: one time law for both robots, which never
-    /// outpaces `step_time` and starts, turns and stops smoothly. Empty when there is none.
+    /// When the reference passes each waypoint, s from the start: one time law for both robots at cruise speed, which
+    /// starts, turns and stops smoothly. Empty when there is none: for a plan made elsewhere.
     pub time_law: Vec<f64>,
     /// Which scene it is for.
     pub scene: SceneReference,

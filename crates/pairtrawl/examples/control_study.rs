@@ -12,7 +12,7 @@ use pairtrawl::execute::{
 };
 use pairtrawl::files::{read_plan, read_scene, write_execution};
 use pairtrawl::model::{ControllerKind, PairTrajectory, Scene};
-use pairtrawl::reference::{Reference, ReferenceLimits};
+use pairtrawl::reference::Reference;
 use pairtrawl_control::{LawParameters, SupervisorLimits};
 use std::error::Error;
 use std::path::Path;
@@ -98,12 +98,7 @@ fn monte_carlo_table(
 
 /// 25 g more sixteen times; all of it drags at each robot, from directions that swing by 60 degrees.
 fn load_steps(scene: &Scene, trajectory: &PairTrajectory) -> Result<(), Box<dyn Error>> {
-    let reference = Reference::new(
-        &scene.robot,
-        &scene.planner,
-        trajectory,
-        &ReferenceLimits::default(),
-    )?;
+    let reference = Reference::of_scene(scene, trajectory)?;
     let weight = scene.physics.object_friction * scene.physics.gravity;
     let drag = |time: f64| {
         let steps = (16.0 * time / reference.duration()).ceil().clamp(0.0, 16.0);

@@ -1,5 +1,5 @@
 use crate::check::{Candidate, check};
-use crate::reference::{Reference, ReferenceLimits};
+use crate::reference::Reference;
 use crate::run::Run;
 use crate::tighten::Tightening;
 use crate::{Method, NetLength, PlanError, PlanOptions, RehearsalMode, Stage};
@@ -303,14 +303,9 @@ impl Attempt {
             order: course.order.to_vec(),
             centerline: self.centerline,
             baseline: self.baseline,
-            time_law: Reference::new(
-                &scene.robot,
-                &scene.planner,
-                &self.trajectory,
-                &ReferenceLimits::default(),
-            )
-            .map(|law| (0..law.waypoints()).map(|i| law.waypoint_time(i)).collect())
-            .unwrap_or_default(),
+            time_law: Reference::of_scene(scene, &self.trajectory)
+                .map(|law| law.time_law())
+                .unwrap_or_default(),
             trajectory: self.trajectory,
             rehearsal: record.map_or(Rehearsal::Skipped, |record| record.verdict.clone()),
             solver: self.solver,

@@ -24,7 +24,7 @@ pub use reduced_run::{ReducedOutcome, ReducedRun};
 pub use sensing::{Normal, Sensing, Sensors, TORQUE_PERIOD, TRACKER_TICKS};
 pub use statistics::{mixed_seed, quantile};
 
-use crate::reference::{Reference, ReferenceLimits, certify_reference};
+use crate::reference::{Reference, certify_reference};
 use pairtrawl_model::{Execution, PairTrajectory, Plan, Scene, Trial};
 use rayon::prelude::*;
 use trial::Course;
@@ -57,12 +57,7 @@ pub fn execute_trajectory(
     observer: &dyn ExecutionObserver,
 ) -> Result<Execution, ExecutionError> {
     options.validate()?;
-    let reference = Reference::new(
-        &scene.robot,
-        &scene.planner,
-        trajectory,
-        &ReferenceLimits::default(),
-    )?;
+    let reference = Reference::of_scene(scene, trajectory)?;
     let reference_certificate = certify_reference(&reference, scene, net_length);
     let warnings = reference_certificate
         .claims

@@ -3,7 +3,7 @@
 pub use pairtrawl_reference::{Reference, ReferenceError, ReferenceLimits, Sample};
 
 use pairtrawl_control::{Pose, ReferenceSample, Velocity};
-use pairtrawl_model::{Certificate, Scene};
+use pairtrawl_model::{Certificate, PairTrajectory, Scene};
 
 /// A sample in the controllers' words.
 pub(crate) fn control_sample(sample: &Sample) -> ReferenceSample<f64> {
@@ -27,6 +27,15 @@ pub(crate) fn control_sample(sample: &Sample) -> ReferenceSample<f64> {
 
 /// The claims of the certificate on the reference, sampled four times as finely as the plan.
 pub fn certify_reference(reference: &Reference, scene: &Scene, net_length: f64) -> Certificate {
-    let interval = 0.25 * pairtrawl_model::default_step_time(&scene.robot, &scene.planner);
-    pairtrawl_certificate::certify(scene, net_length, &reference.resampled(interval))
+    let count = 4 * (reference.waypoints() - 1);
+    let mut fine = PairTrajectory {
+        step_time: reference.duration() / count as f64,
+        ..PairTrajectory::default()
+    };
+    for k in 0..=count {
+        let [left, right] = reference.at(k as f64 * fine.step_time);
+        fine.left.push(left.pose);
+        fine.right.push(right.pose);
+    }
+    pairtrawl_certificate::certify(scene, net_length, &fine)
 }

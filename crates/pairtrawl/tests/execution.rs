@@ -8,7 +8,7 @@ use pairtrawl::execute::{
 };
 use pairtrawl::files::execution_json;
 use pairtrawl::model::{ControllerKind, Execution, ExecutionEventKind, SceneReference};
-use pairtrawl::reference::{Reference, ReferenceLimits};
+use pairtrawl::reference::Reference;
 use pairtrawl_control::SupervisorLimits;
 use std::sync::atomic::{AtomicUsize, Ordering};
 
@@ -236,13 +236,7 @@ fn every_law_meets_the_same_random_runs() {
 fn growing_load_from_varying_directions_is_held() {
     let t = drive::trajectory();
     let scene = drive::scene(&t);
-    let reference = Reference::new(
-        &scene.robot,
-        &scene.planner,
-        &t,
-        &ReferenceLimits::default(),
-    )
-    .unwrap();
+    let reference = Reference::of_scene(&scene, &t).unwrap();
     // 25 g more sixteen times over the drive, on each robot.
     let drag = |time: f64| {
         let steps = (16.0 * time / reference.duration()).ceil().clamp(0.0, 16.0);

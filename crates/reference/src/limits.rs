@@ -1,20 +1,27 @@
-/// How hard the pair may accelerate.
+use pairtrawl_model::Robot;
+
+/// How hard the pair may accelerate, whatever makes it do so: a start, a stop, a turn of the curve.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct ReferenceLimits {
-    /// Greatest change of the pace, 1/s: 1 reaches the plan's speed in a second.
-    pub pace_rate: f64,
-    /// Greatest acceleration along a path that turns of speed between steps may ask for, m/s^2.
+    /// Greatest change of a robot's speed, m/s^2.
     pub linear: f64,
-    /// The same for turning, rad/s^2.
+    /// Greatest change of a robot's turning rate, rad/s^2.
     pub angular: f64,
 }
 
-impl Default for ReferenceLimits {
-    fn default() -> Self {
+/// Time in which the default robot may go from rest to its greatest speed, s: 0.26 m/s by 0.5 m/s^2.
+const TO_FULL_SPEED: f64 = 0.26 / 0.5;
+/// Time in which the default robot may go from rest to turning on the spot at full wheel speed, s: by 2.5 rad/s^2.
+const TO_FULL_TURN: f64 = 0.26 / 0.144 / 2.5;
+
+impl ReferenceLimits {
+    /// Limits that a robot keeps with ease: 0.5 m/s^2 and 2.5 rad/s^2 for the default one, and for others such that they need
+    /// as long to reach their greatest speed and turning rate.
+    pub fn of(robot: &Robot) -> Self {
+        let turning = robot.omega_max.min(robot.v_max / robot.half_track);
         Self {
-            pace_rate: 1.0,
-            linear: 0.5,
-            angular: 2.5,
+            linear: robot.v_max / TO_FULL_SPEED,
+            angular: turning / TO_FULL_TURN,
         }
     }
 }

@@ -1,3 +1,4 @@
+use crate::polynomial::Cubic;
 use pairtrawl_geometry::{Point, Pose};
 
 /// Nodes and weights of Gauss-Legendre quadrature on [0, 1], 6 points.
@@ -10,148 +11,167 @@ const NODES: [(f64, f64); 6] = [
     (0.966_234_757_101_576, 0.085_662_246_189_585_17),
 ];
 
-/// Below this chord the direction of travel means nothing and no correction of it is tried, m.
-const SHORT: f64 = 1e-4;
+/// Below this part of the trajectory's longest chord the direction of a chord means nothing: no correction of it is tried.
+const SHORT: f64 = 2e-3;
+/// The next waypoint is met to this part of the longest chord.
+const MET: f64 = 2e-12;
+/// The heading strays from its cubic by at most a sixteenth of this, rad: the rounding of a short chord's direction must not
+/// become a wild swing.
+const GREATEST_BUMP: f64 = 2.0;
 
 /// One robot's way through one step of the plan, over w from 0 to 1: it rolls without slip from waypoint to waypoint.
 ///
 /// Speed s(w) = s0 (1 - w) + s1 w + 6 a w (1 - w), m a step; heading phi(w) = cubic through both headings with rates t0 and t1,
-/// plus b w^2 (1 - w)^2; position = integral of s (cos phi, sin phi). a and b make the end the next waypoint.
+/// plus b w^2 (1 - w)^2; position = integral of s (cos phi, sin phi). a and b make the end the next waypoint. Speed is a
+/// quadratic and turning rate a cubic polynomial, so that their bounds over any stretch are exact.
 #[derive(Clone, Copy, Debug)]
-pub(super) struct RollingStep {
+pub struct RollingStep {
     start: Pose,
-    turn: f64,
-    speed: [f64; 2],
-    rate: [f64; 2],
-    speed_bump: f64,
-    heading_bump: f64,
+    speed: Cubic,
+    rate: Cubic,
+    /// On this many equal parts the quadrature is exact to rounding: 1 where the heading changes little.
+    panels: u32,
 }
 
-/// Heading and speed at a place of a step, with derivatives by w.
+/// Where a robot is at a place of a step and how it moves, with derivatives by w.
 #[derive(Clone, Copy, Debug)]
-pub(super) struct StepState {
+pub struct StepState {
+    /// Where it is.
     pub pose: Pose,
+    /// s, m a step.
     pub speed: f64,
+    /// ds/dw.
     pub speed_slope: f64,
+    /// dphi/dw, rad a step.
     pub rate: f64,
+    /// d2phi/dw2.
     pub rate_slope: f64,
 }
 
+/// What holds for certain at every place of a stretch of a step.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct StepBounds {
+    /// Least and greatest speed s, m a step.
+    pub speed: [f64; 2],
+    /// Least and greatest turning rate dphi/dw, rad a step.
+    pub rate: [f64; 2],
+    /// Greatest magnitude of ds/dw.
+    pub speed_slope: f64,
+    /// Greatest magnitude of d2phi/dw2.
+    pub rate_slope: f64,
+}
+
+impl StepBounds {
+    /// Greatest magnitude of the speed, m a step.
+    pub fn fastest(&self) -> f64 {
+        self.speed[1].max(-self.speed[0])
+    }
+
+    /// Greatest magnitude of the turning rate, rad a step.
+    pub fn sharpest(&self) -> f64 {
+        self.rate[1].max(-self.rate[0])
+    }
+}
+
+/// How a step begins and ends.
+pub(crate) struct Ends {
+    /// Speeds at the waypoints before and after, m a step.
+    pub speed: [f64; 2],
+    /// Turning rates there, rad a step.
+    pub rate: [f64; 2],
+}
+
 impl RollingStep {
-    /// From a pose to a waypoint, with speeds (m a step) and turning rates (rad a step) at both ends.
-    pub fn between(start: Pose, end: Pose, speed: [f64; 2], rate: [f64; 2]) -> Self {
+    /// From a pose to a waypoint; `unit` is the trajectory's longest chord, m.
+    pub(crate) fn between(start: Pose, end: Pose, ends: &Ends, unit: f64) -> Self {
         let chord = end.position() - start.position();
-        let mut step = Self {
-            start,
-            turn: end.heading - start.heading,
-            speed,
-            rate,
-            speed_bump: 0.0,
-            heading_bump: 0.0,
-        };
-        let mid = Point::unit(start.heading + 0.5 * step.turn);
-        step.speed_bump = chord.dot(mid) - 0.5 * (speed[0] + speed[1]);
-        if chord.norm() > SHORT {
-            step.aim(chord);
+        let turn = end.heading - start.heading;
+        let along = chord.dot(Point::unit(start.heading + 0.5 * turn));
+        let mut bumps = [along - 0.5 * (ends.speed[0] + ends.speed[1]), 0.0];
+        let mut step = Self::with_bumps(start, turn, ends, bumps);
+        if chord.norm() <= SHORT * unit {
+            return step;
+        }
+        // Newton's method for the bumps (a, b): the end lies `chord` from the start.
+        for _ in 0..8 {
+            let (mut miss, mut by_a, mut by_b) = (chord, Point::ZERO, Point::ZERO);
+            step.integrate(1.0, |w, weight, forward| {
+                let (bump, speed) = (w * (1.0 - w), step.speed.at(w));
+                miss -= forward * (weight * speed);
+                by_a += forward * (weight * 6.0 * bump);
+                by_b += forward.perp() * (weight * speed * bump * bump);
+            });
+            let determinant = by_a.cross(by_b);
+            if miss.norm() < MET * unit || determinant.abs() < MET * unit {
+                break;
+            }
+            bumps[0] += miss.cross(by_b) / determinant;
+            let b = bumps[1] + by_a.cross(miss) / determinant;
+            bumps[1] = b.clamp(-GREATEST_BUMP, GREATEST_BUMP);
+            step = Self::with_bumps(start, turn, ends, bumps);
         }
         step
     }
 
-    /// Newton's method for (a, b): the end lies `chord` from the start.
-    fn aim(&mut self, chord: Point) {
-        for _ in 0..8 {
-            let (mut miss, mut by_a, mut by_b) = (chord, Point::ZERO, Point::ZERO);
-            for (w, weight) in NODES {
-                let forward = Point::unit(self.heading(w));
-                let bump = w * (1.0 - w);
-                miss -= forward * (weight * self.speed_at(w));
-                by_a += forward * (weight * 6.0 * bump);
-                by_b += forward.perp() * (weight * self.speed_at(w) * bump * bump);
-            }
-            if miss.norm() < 1e-13 {
-                return;
-            }
-            let determinant = by_a.cross(by_b);
-            if determinant.abs() < 1e-12 {
-                return;
-            }
-            self.speed_bump += miss.cross(by_b) / determinant;
-            // A slip of a tenth of a millimeter on a short chord must not become a wild swing of the heading.
-            let change = by_a.cross(miss) / determinant;
-            self.heading_bump = (self.heading_bump + change).clamp(-2.0, 2.0);
+    fn with_bumps(start: Pose, turn: f64, ends: &Ends, [a, b]: [f64; 2]) -> Self {
+        let ([s0, s1], [t0, t1]) = (ends.speed, ends.rate);
+        let sum = turn.abs() + t0.abs() + t1.abs();
+        Self {
+            start,
+            speed: Cubic([s0, s1 - s0 + 6.0 * a, -6.0 * a, 0.0]),
+            rate: Cubic([
+                t0,
+                2.0 * (3.0 * turn - 2.0 * t0 - t1 + b),
+                3.0 * (t0 + t1 - 2.0 * turn - 2.0 * b),
+                4.0 * b,
+            ]),
+            panels: 1 + (2.0 * sum + 8.0 * b.abs()).min(1e3) as u32,
         }
     }
 
-    fn speed_at(&self, w: f64) -> f64 {
-        self.speed[0] * (1.0 - w) + self.speed[1] * w + 6.0 * self.speed_bump * w * (1.0 - w)
+    /// Calls `part` with w, weight and forward direction for the quadrature from 0 to `end`.
+    fn integrate(&self, end: f64, mut part: impl FnMut(f64, f64, Point)) {
+        let width = end / f64::from(self.panels);
+        for panel in 0..self.panels {
+            for (node, weight) in NODES {
+                let w = (f64::from(panel) + node) * width;
+                part(w, weight * width, Point::unit(self.heading(w)));
+            }
+        }
     }
 
-    fn heading(&self, w: f64) -> f64 {
-        let (w2, w3) = (w * w, w * w * w);
-        self.start.heading
-            + self.turn * (3.0 * w2 - 2.0 * w3)
-            + self.rate[0] * (w3 - 2.0 * w2 + w)
-            + self.rate[1] * (w3 - w2)
-            + self.heading_bump * w2 * (1.0 - w) * (1.0 - w)
+    /// The heading at w in [0, 1], continuous along the trajectory, rad.
+    pub fn heading(&self, w: f64) -> f64 {
+        self.start.heading + self.rate.integral(w)
+    }
+
+    /// The pose at w in [0, 1].
+    pub fn pose(&self, w: f64) -> Pose {
+        let mut place = self.start.position();
+        self.integrate(w, |v, weight, forward| {
+            place += forward * (weight * self.speed.at(v));
+        });
+        Pose::at(place, self.heading(w))
     }
 
     /// The state at w in [0, 1].
     pub fn at(&self, w: f64) -> StepState {
-        let mut place = self.start.position();
-        for (v, weight) in NODES {
-            let v = v * w;
-            place += Point::unit(self.heading(v)) * (w * weight * self.speed_at(v));
-        }
-        let (w2, [r0, r1]) = (w * w, self.rate);
         StepState {
-            pose: Pose::at(place, self.heading(w)),
-            speed: self.speed_at(w),
-            speed_slope: self.speed[1] - self.speed[0] + 6.0 * self.speed_bump * (1.0 - 2.0 * w),
-            rate: self.turn * 6.0 * (w - w2)
-                + r0 * (3.0 * w2 - 4.0 * w + 1.0)
-                + r1 * (3.0 * w2 - 2.0 * w)
-                + self.heading_bump * 2.0 * w * (1.0 - w) * (1.0 - 2.0 * w),
-            rate_slope: self.turn * 6.0 * (1.0 - 2.0 * w)
-                + r0 * (6.0 * w - 4.0)
-                + r1 * (6.0 * w - 2.0)
-                + self.heading_bump * (2.0 - 12.0 * w + 12.0 * w2),
+            pose: self.pose(w),
+            speed: self.speed.at(w),
+            speed_slope: self.speed.slope().at(w),
+            rate: self.rate.at(w),
+            rate_slope: self.rate.slope().at(w),
         }
     }
-}
 
-/// The way of one robot through all its waypoints, speed and turning rate continuous.
-pub(super) fn roll_through(poses: &[Pose]) -> Vec<RollingStep> {
-    let chords: Vec<(f64, f64)> = poses
-        .windows(2)
-        .map(|w| {
-            let turn = w[1].heading - w[0].heading;
-            let mid = Point::unit(w[0].heading + 0.5 * turn);
-            ((w[1].position() - w[0].position()).dot(mid), turn)
-        })
-        .collect();
-    // Speed at a waypoint: the harmonic mean of both steps' speeds, which is 0 beside a wait and never makes a robot back up.
-    let speed_at = |i: usize| match (i.checked_sub(1).and_then(|j| chords.get(j)), chords.get(i)) {
-        (Some(&(a, _)), Some(&(b, _))) if a * b > 0.0 => 2.0 * a * b / (a + b),
-        (Some(_), Some(_)) => 0.0,
-        (Some(&(a, _)), None) | (None, Some(&(a, _))) => a,
-        (None, None) => 0.0,
-    };
-    // Turning rate at a waypoint: the mean, but 0 beside a wait.
-    let waits = |(length, turn): (f64, f64)| length.abs() < 1e-9 && turn.abs() < 1e-9;
-    let rate_at = |i: usize| match (i.checked_sub(1).and_then(|j| chords.get(j)), chords.get(i)) {
-        (Some(&a), Some(&b)) if !waits(a) && !waits(b) => 0.5 * (a.1 + b.1),
-        (Some(_), Some(_)) => 0.0,
-        (Some(&(_, a)), None) | (None, Some(&(_, a))) => a,
-        (None, None) => 0.0,
-    };
-    let mut steps = Vec::with_capacity(chords.len());
-    let mut start = poses.first().copied().unwrap_or_default();
-    for i in 0..chords.len() {
-        let ends = [i, i + 1];
-        let step = RollingStep::between(start, poses[i + 1], ends.map(speed_at), ends.map(rate_at));
-        // Where a short chord could not be met exactly, the next step starts from where this one ends.
-        start = Pose::at(step.at(1.0).pose.position(), poses[i + 1].heading);
-        steps.push(step);
+    /// What holds on the whole stretch from w = `stretch[0]` to `stretch[1]`.
+    pub fn bounds(&self, stretch: [f64; 2]) -> StepBounds {
+        StepBounds {
+            speed: self.speed.range(stretch),
+            rate: self.rate.range(stretch),
+            speed_slope: self.speed.slope().magnitude(stretch),
+            rate_slope: self.rate.slope().magnitude(stretch),
+        }
     }
-    steps
 }

@@ -7,7 +7,7 @@ use super::reduced_run::{ReducedOutcome, ReducedRun};
 use super::sensing::{Normal, Sensing};
 use super::statistics::{mixed_seed, quantile};
 use super::{ExecutionError, NominalInertia};
-use crate::reference::{Reference, ReferenceLimits};
+use crate::reference::Reference;
 use pairtrawl_control::SupervisorLimits;
 use pairtrawl_model::{ControllerKind, PairTrajectory, Scene};
 use rayon::prelude::*;
@@ -100,12 +100,7 @@ pub fn monte_carlo(
     options: &MonteCarloOptions,
     observer: &dyn ExecutionObserver,
 ) -> Result<MonteCarlo, ExecutionError> {
-    let reference = Reference::new(
-        &scene.robot,
-        &scene.planner,
-        trajectory,
-        &ReferenceLimits::default(),
-    )?;
+    let reference = Reference::of_scene(scene, trajectory)?;
     let mut rows = Vec::new();
     let mut interrupted = false;
     for (row, &controller) in options.controllers.iter().enumerate() {
