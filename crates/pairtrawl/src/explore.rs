@@ -2,7 +2,7 @@
 
 use crate::starts::{Start, Starts};
 use crate::{Method, PlanOptions};
-use pairtrawl_model::{PairTrajectory, Scene, SolverStatus};
+use pairtrawl_model::{PairTrajectory, Scene, Side, SolverStatus};
 use pairtrawl_route::with_lead;
 use pairtrawl_trajopt::{Problem, Settings, optimize};
 use pairtrawl_world::World;
@@ -14,10 +14,10 @@ struct Variation {
     /// The left robot is this many waypoints ahead.
     lead: f64,
     /// This robot is optimized first, the other one held where it is, and then the other one: a round of Algorithm 1.
-    first: Option<usize>,
+    first: Option<Side>,
 }
 
-const fn varied(lead: f64, first: Option<usize>) -> Variation {
+const fn varied(lead: f64, first: Option<Side>) -> Variation {
     Variation { lead, first }
 }
 
@@ -26,12 +26,12 @@ const VARIATIONS: [Variation; 10] = [
     varied(-5.0, None),
     varied(5.0, None),
     varied(10.0, None),
-    varied(0.0, Some(0)),
-    varied(0.0, Some(1)),
-    varied(-10.0, Some(0)),
-    varied(-10.0, Some(1)),
-    varied(10.0, Some(0)),
-    varied(10.0, Some(1)),
+    varied(0.0, Some(Side::Left)),
+    varied(0.0, Some(Side::Right)),
+    varied(-10.0, Some(Side::Left)),
+    varied(-10.0, Some(Side::Right)),
+    varied(10.0, Some(Side::Left)),
+    varied(10.0, Some(Side::Right)),
 ];
 /// Baselines are varied of orders that cost at most this many times the least.
 const WORTH_VARYING: f64 = 1.02;
@@ -111,7 +111,7 @@ impl Variation {
         let mut pair = with_lead(baseline, self.lead);
         if let Some(robot) = self.first {
             let mut one = problem.clone();
-            for held in [1 - robot, robot] {
+            for held in [robot.other(), robot] {
                 one.frozen = Some(held);
                 pair = optimize(&one, &pair, &Settings::default()).trajectory;
             }

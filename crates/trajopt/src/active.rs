@@ -4,11 +4,11 @@
 use crate::constraints::{
     CenterDistance, HalfPlane, PointDistance, QuadDistance, SeparationAbove, SeparationBelow,
 };
-use crate::iterate::Iterate;
 use crate::problem::{Problem, SeparationRule};
 use crate::row::Row;
-use crate::step::{Step, TURN_COST};
+use crate::step::Step;
 use crate::term::{PAIR, POINT, QUAD, Term};
+use pairtrawl_model::Side;
 
 /// Rows of the pair at one waypoint: separation above, below, net reach, abreast left, abreast right.
 pub(crate) const PAIR_ROWS: usize = 5;
@@ -73,7 +73,7 @@ impl PointKind {
 #[derive(Clone, Debug)]
 pub(crate) struct PointRow {
     pub stage: u32,
-    pub robot: u8,
+    pub robot: Side,
     pub kind: PointKind,
     pub row: Row<POINT>,
 }
@@ -95,7 +95,7 @@ pub(crate) struct QuadRow {
 }
 
 impl PointRow {
-    pub fn key(&self) -> (u32, u8, (u8, u32)) {
+    pub fn key(&self) -> (u32, Side, (u8, u32)) {
         (self.stage, self.robot, self.kind.key())
     }
 }
@@ -175,7 +175,7 @@ impl Problem {
     }
 
     /// True when a pair row has something to say at a waypoint: fixed poses only bound a net length that is free.
-    fn has_pair_row(&self, kind: u8, inner: bool) -> bool {
+    pub(crate) fn has_pair_row(&self, kind: u8, inner: bool) -> bool {
         let bounds_length = kind == 1 || kind == 2;
         if bounds_length && self.separation == SeparationRule::Free {
             return false;
@@ -231,45 +231,6 @@ impl Problem {
             region: self.pieces.get(piece),
             keep: tier.reserve(self.reserve.net_clearance),
         }
-    }
-}
-
-impl ActiveSet {
-    /// The rows of a problem around an iterate, on the central path of `mu`.
-    pub fn new(problem: &Problem, x: &Iterate, weight: f64, mu: f64) -> Self {
-        let n = x.stages.len();
-        let mut set = Self::default();
-        let bounds = problem.step_bounds();
-        for i in 0..n - 1 {
-            for robot in 0..2 {
-                let step = problem.step(x, i, robot);
-                set.frames.push(step);
-                for (kind, bound) in bounds.iter().enumerate() {
-                    let weight = if kind == TURN_COST {
-                        2.0 * problem.turn_weight()
-                    } else {
-                        f64::INFINITY
-                    };
-                    set.steps
-                        .push(Row::centered(bound.value(&step), weight, mu));
-                }
-            }
-        }
-        for i in 0..n {
-            let inner = i > 0 && i < n - 1;
-            for kind in 0..PAIR_ROWS as u8 {
-                if problem.has_pair_row(kind, inner) {
-                    let c = problem.pair_term(kind, i, |t| t.value(&x.pair(i)));
-                    set.pairs.push(PairRow {
-                        stage: i as u32,
-                        kind,
-                        row: Row::centered(c, weight, mu),
-                    });
-                }
-            }
-        }
-        set.refresh(problem, x, weight, mu);
-        set
     }
 }
 

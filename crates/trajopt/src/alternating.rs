@@ -1,10 +1,11 @@
 //! The paper's Algorithm 1: robots are optimized in turn, the other held where it is, the net length with each.
 
 use crate::cost::evaluate;
-use crate::interior_point::{Residuals, Settings};
+use crate::merit::Residuals;
 use crate::optimize::{Solution, first_net_length, optimize_from};
 use crate::problem::Problem;
-use pairtrawl_model::{PairTrajectory, Scene, SolverStatus};
+use crate::settings::Settings;
+use pairtrawl_model::{PairTrajectory, Scene, Side, SolverStatus};
 
 /// Which net length Algorithm 1 starts from, when it is free.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
@@ -47,7 +48,7 @@ pub fn alternate(
     let mut iterations = 0;
     let mut last = None;
     for round in 0..scene.planner.alternations.max(1) {
-        problem.frozen = Some(1 - round % 2);
+        problem.frozen = Some(Side::BOTH[1 - round % 2]);
         let mut solution = optimize_from(&problem, &pair, net_length, settings, go_on);
         iterations += solution.iterations;
         solution.iterations = iterations;

@@ -10,6 +10,7 @@ use crate::local::Local;
 use crate::problem::Problem;
 use crate::step::{STEP_BOUNDS, Step};
 use crate::term::{PAIR, POINT, QUAD, Term};
+use pairtrawl_model::Side;
 
 /// Dual regularization of the equalities.
 pub(crate) const DUAL_REGULARIZATION: f64 = 1e-9;
@@ -109,8 +110,8 @@ impl System {
     }
 
     /// Takes a robot's poses out of the variables: no gradient, and a diagonal that no step overcomes.
-    fn freeze(&mut self, robot: usize) {
-        for b in (3 * robot..self.gradient.len()).step_by(STAGE) {
+    fn freeze(&mut self, robot: Side) {
+        for b in (3 * robot.index()..self.gradient.len()).step_by(STAGE) {
             for v in b..b + 3 {
                 for g in [
                     &mut self.gradient,
@@ -130,8 +131,8 @@ impl System {
         let weight = problem.distance_weight();
         let bounds = problem.step_bounds();
         for i in 0..count - 1 {
-            for robot in 0..2 {
-                let at = 2 * i + robot;
+            for robot in Side::BOTH {
+                let at = 2 * i + robot.index();
                 let step = set.frames[at];
                 let mut d = StepDerivatives::default();
                 let dual = 1.0 / DUAL_REGULARIZATION;
@@ -160,7 +161,7 @@ impl System {
     pub(crate) fn scatter_step(
         &mut self,
         i: usize,
-        robot: usize,
+        robot: Side,
         count: usize,
         step: &Step,
         d: &StepDerivatives,
@@ -174,8 +175,8 @@ impl System {
         let xp = c * (v * huu + d.lateral) + s * u * hvv;
         let yp = s * (v * huu + d.lateral) - c * u * hvv;
         let pp = v * v * huu + u * u * hvv + d.taut;
-        let first = base(i, count).map(|b| b + 3 * robot);
-        let second = base(i + 1, count).map(|b| b + 3 * robot);
+        let first = base(i, count).map(|b| b + 3 * robot.index());
+        let second = base(i + 1, count).map(|b| b + 3 * robot.index());
         for (end, sign) in [(first, -1.0), (second, 1.0)] {
             let Some(b) = end else { continue };
             for (target, g) in [
@@ -259,13 +260,13 @@ impl System {
     fn add_points(&mut self, problem: &Problem, x: &Iterate, set: &mut ActiveSet, mu: f64) {
         let count = x.stages.len();
         for point in &mut set.points {
-            let (stage, robot) = (point.stage as usize, point.robot as usize);
+            let (stage, robot) = (point.stage as usize, point.robot);
             let z = x.point(stage, robot);
             let slope = problem.point_term(&point.kind, slope_of(&z));
             let mut local = Local::<POINT>::new();
             local.add_row(&mut point.row, slope, mu);
             if let Some(b) = base(stage, count) {
-                self.scatter_block(b + 3 * robot, [0, 1], &local);
+                self.scatter_block(b + 3 * robot.index(), [0, 1], &local);
             }
         }
     }

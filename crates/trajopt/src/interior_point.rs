@@ -1,105 +1,14 @@
 //! Primal-dual interior point with a filter line search (after Wächter and Biegler, Math. Program. 106, 2006) on the
 //! condensed banded system.
 
-use crate::active::ActiveSet;
 use crate::assembly::System;
-use crate::filter::Filter;
 use crate::iterate::{Iterate, STAGE};
-use crate::merit::Merit;
-use crate::newton::Newton;
 use crate::problem::Problem;
+use crate::settings::Settings;
 use crate::shortfalls::shortfalls;
+use crate::state::State;
+use crate::workspace::Workspace;
 use pairtrawl_model::SolverStatus;
-use std::ops::Range;
-
-/// How the interior point works. Budgets count iterations, so that results do not depend on the machine.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Settings {
-    /// Most iterations.
-    pub max_iterations: usize,
-    /// First barrier parameter.
-    pub initial_mu: f64,
-    /// The start is presumed to meet its constraints or nearly so, else every row begins on the central path.
-    pub nearly_optimal: bool,
-    /// Factor of the barrier parameter from one barrier problem to the next.
-    pub barrier_decrease: f64,
-    /// Summed complementarity at which the problem counts as solved, as a share of the cost.
-    pub relative_gap: f64,
-    /// Decrease that a full Newton step promises at which the problem counts as solved, as a share of the cost.
-    pub relative_decrease: f64,
-    /// Greatest residual of a constraint at which the problem counts as solved, m or rad.
-    pub feasibility_tolerance: f64,
-    /// Cost of a meter (or radian) of violation of an elastic constraint.
-    pub elastic_weight: f64,
-}
-
-impl Default for Settings {
-    fn default() -> Self {
-        Self {
-            max_iterations: 300,
-            initial_mu: 1.0,
-            nearly_optimal: false,
-            barrier_decrease: 0.1,
-            relative_gap: 2e-4,
-            relative_decrease: 1e-5,
-            feasibility_tolerance: 1e-6,
-            elastic_weight: 3e3,
-        }
-    }
-}
-
-impl Settings {
-    /// For a start that is nearly optimal already, such as the plan before a small change of the scene.
-    pub fn warm() -> Self {
-        Self {
-            initial_mu: 1e-4,
-            nearly_optimal: true,
-            ..Self::default()
-        }
-    }
-}
-
-/// Measures of optimality at an iterate.
-#[derive(Clone, Copy, Debug, Default, PartialEq)]
-pub struct Residuals {
-    /// Largest entry of the Lagrangian's gradient, as a share of the largest entry of the objective's gradient.
-    pub dual: f64,
-    /// Largest violation of `c - s + e = 0` and of the equalities.
-    pub primal: f64,
-    /// Largest deviation of a complementarity product from the barrier parameter.
-    pub complementarity: f64,
-    /// Sum of all complementarity products: bounds the cost above the optimum.
-    pub gap: f64,
-    /// How many products that are.
-    pub products: usize,
-}
-
-/// State of the solver, reused from solve to solve so that the loop does not allocate.
-#[derive(Clone, Debug, Default)]
-pub(crate) struct Workspace {
-    pub system: System,
-    pub newton: Newton,
-    pub trial: Iterate,
-    pub filter: Filter,
-    /// Parts of the course whose direction is found again.
-    pub parts: Vec<Range<usize>>,
-}
-
-/// A point with its multipliers.
-#[derive(Clone, Debug, Default)]
-pub(crate) struct State {
-    pub x: Iterate,
-    pub set: ActiveSet,
-    /// Multipliers of the equalities, one a robot and step.
-    pub lambda: Vec<f64>,
-    pub mu: f64,
-    pub iterations: usize,
-    pub residuals: Residuals,
-    /// Merit of the point.
-    pub merit: Merit,
-    /// Decrease of the barrier function that the last full Newton step promised; infinite before the first.
-    pub promise: f64,
-}
 
 /// Least shift of the diagonal: keeps directions that cost nothing from running away.
 const LEAST_SHIFT: f64 = 0.1;
@@ -117,32 +26,6 @@ const STALL_DECREASE: f64 = 0.98;
 const STALL_ITERATIONS: usize = 30;
 /// A barrier problem is solved well enough when what is left of it is this share of the gap.
 const BARRIER_SHARE: f64 = 0.1;
-
-impl State {
-    pub fn new(problem: &Problem, x: Iterate, settings: &Settings) -> Self {
-        let mu = settings.initial_mu;
-        let set = ActiveSet::new(problem, &x, settings.elastic_weight, mu);
-        let lambda = vec![0.0; 2 * (x.stages.len() - 1)];
-        let mut state = Self {
-            x,
-            set,
-            lambda,
-            mu,
-            promise: f64::INFINITY,
-            ..Self::default()
-        };
-        if settings.nearly_optimal {
-            each_row_mut!(state.set, row, { row.presume_met(mu) });
-        }
-        state.measure(problem);
-        state
-    }
-
-    /// Merit and residuals of the point, but for the dual one.
-    fn measure(&mut self, problem: &Problem) {
-        (self.merit, self.residuals) = self.set.measure(problem, &self.x, self.mu);
-    }
-}
 
 /// Solves from a state, in place. `go_on` is asked before every iteration.
 pub(crate) fn solve(

@@ -1,9 +1,8 @@
 //! The point that the solver moves: poses of both robots at every waypoint, and the net length.
 
-use crate::step::Step;
 use crate::term::{PAIR, POINT, QUAD};
 use pairtrawl_geometry::{Point, Pose};
-use pairtrawl_model::PairTrajectory;
+use pairtrawl_model::{PairTrajectory, Side};
 
 /// Coordinates a waypoint: x, y, heading of the left robot, then of the right one.
 pub(crate) const STAGE: usize = 6;
@@ -40,13 +39,6 @@ impl Iterate {
         }
     }
 
-    /// Robot 0 or 1 over the step from waypoint `i`.
-    #[inline]
-    pub fn step(&self, i: usize, robot: usize) -> Step {
-        let k = 3 * robot;
-        Step::new(&self.stages[i][k..k + 3], &self.stages[i + 1][k..k + 3])
-    }
-
     #[inline]
     pub fn pair(&self, i: usize) -> [f64; PAIR] {
         let z = &self.stages[i];
@@ -54,8 +46,9 @@ impl Iterate {
     }
 
     #[inline]
-    pub fn point(&self, i: usize, robot: usize) -> [f64; POINT] {
-        [self.stages[i][3 * robot], self.stages[i][3 * robot + 1]]
+    pub fn point(&self, i: usize, robot: Side) -> [f64; POINT] {
+        let k = 3 * robot.index();
+        [self.stages[i][k], self.stages[i][k + 1]]
     }
 
     /// The line between the robots at waypoints `i` and `i + 1`.
@@ -65,8 +58,8 @@ impl Iterate {
         [a[0], a[1], a[3], a[4], b[0], b[1], b[3], b[4]]
     }
 
-    /// Position of robot 0 or 1.
-    pub fn position(&self, i: usize, robot: usize) -> Point {
+    /// Position of a robot.
+    pub fn position(&self, i: usize, robot: Side) -> Point {
         Point::from(self.point(i, robot))
     }
 

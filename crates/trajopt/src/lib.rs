@@ -29,6 +29,7 @@ mod line_search;
 mod linear;
 mod local;
 mod look_up;
+mod measure;
 mod merit;
 mod newton;
 mod optimize;
@@ -36,15 +37,19 @@ mod pieces;
 mod problem;
 mod reinforce;
 mod row;
+mod settings;
 mod shortfalls;
+mod state;
 mod step;
 mod term;
+mod workspace;
 
 pub use alternating::{Alternation, FirstLength, alternate};
 pub use cost::evaluate;
-pub use interior_point::{Residuals, Settings};
+pub use merit::Residuals;
 pub use optimize::{Solution, optimize, optimize_from, optimize_watched};
 pub use problem::{Problem, Reserve, SeparationRule};
+pub use settings::Settings;
 pub use shortfalls::{ShrunkMargin, Violation};
 
 #[cfg(test)]

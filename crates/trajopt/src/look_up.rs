@@ -1,13 +1,15 @@
 //! What is near: objects and obstacles that a robot or the line between the robots may touch soon, and where the line passes
 //! over each object.
 
-use crate::active::{ActiveSet, PointKind, PointRow, QuadRow, Tier};
+use crate::active::{ActiveSet, PAIR_ROWS, PairRow, PointKind, PointRow, QuadRow, Tier};
 use crate::constraints::HalfPlane;
 use crate::iterate::Iterate;
 use crate::pieces::SEARCH_RADIUS;
 use crate::problem::Problem;
 use crate::row::Row;
+use crate::step::TURN_COST;
 use crate::term::Term;
+use pairtrawl_model::Side;
 
 /// Objects and obstacles are in play up to this far beyond the distance that is kept from them, m.
 const LOOK_AHEAD: f64 = 0.2;
@@ -35,6 +37,43 @@ struct Scratch {
 }
 
 impl ActiveSet {
+    /// The rows of a problem around an iterate, on the central path of `mu`.
+    pub fn new(problem: &Problem, x: &Iterate, weight: f64, mu: f64) -> Self {
+        let n = x.stages.len();
+        let mut set = Self::default();
+        let bounds = problem.step_bounds();
+        for i in 0..n - 1 {
+            for robot in Side::BOTH {
+                let step = problem.step(x, i, robot);
+                set.frames.push(step);
+                for (kind, bound) in bounds.iter().enumerate() {
+                    let weight = if kind == TURN_COST {
+                        2.0 * problem.turn_weight()
+                    } else {
+                        f64::INFINITY
+                    };
+                    set.steps
+                        .push(Row::centered(bound.value(&step), weight, mu));
+                }
+            }
+        }
+        for i in 0..n {
+            let inner = i > 0 && i < n - 1;
+            for kind in 0..PAIR_ROWS as u8 {
+                if problem.has_pair_row(kind, inner) {
+                    let c = problem.pair_term(kind, i, |t| t.value(&x.pair(i)));
+                    set.pairs.push(PairRow {
+                        stage: i as u32,
+                        kind,
+                        row: Row::centered(c, weight, mu),
+                    });
+                }
+            }
+        }
+        set.refresh(problem, x, weight, mu);
+        set
+    }
+
     /// Looks up again what is near, keeping the multipliers of what stays in play.
     pub fn refresh(&mut self, problem: &Problem, x: &Iterate, weight: f64, mu: f64) {
         self.refresh_crossings(problem, x);
@@ -50,7 +89,7 @@ impl ActiveSet {
             .extend(self.crossings.iter().copied().zip(0..));
         scratch.crossings.sort_unstable();
         for i in 1..x.stages.len() - 1 {
-            for robot in 0..2 {
+            for robot in Side::BOTH {
                 self.look_up_point(problem, x, (i, robot), weight, mu, &mut scratch);
             }
         }
@@ -65,14 +104,14 @@ impl ActiveSet {
         &mut self,
         problem: &Problem,
         x: &Iterate,
-        (stage, robot): (usize, u8),
+        (stage, robot): (usize, Side),
         weight: f64,
         mu: f64,
         Scratch {
             near, crossings, ..
         }: &mut Scratch,
     ) {
-        let p = x.position(stage, robot.into());
+        let p = x.position(stage, robot);
         let value = |kind: &PointKind| problem.point_term(kind, |t| t.value(&p.into()));
         let first = self.points.len();
         let mut push = |kind: PointKind, c: f64, weight: f64| {
@@ -140,8 +179,11 @@ impl ActiveSet {
     ) {
         near.clear();
         let quad = x.quad(step);
-        let (l, r) = (x.position(step, 0), x.position(step, 1));
-        let (to_l, to_r) = (x.position(step + 1, 0), x.position(step + 1, 1));
+        let (l, r) = (x.position(step, Side::Left), x.position(step, Side::Right));
+        let (to_l, to_r) = (
+            x.position(step + 1, Side::Left),
+            x.position(step + 1, Side::Right),
+        );
         candidates.clear();
         let farthest = l.distance(to_l).max(r.distance(to_r));
         let reach = problem.reserve.net_clearance + NET_AHEAD + farthest;
@@ -183,7 +225,7 @@ impl ActiveSet {
         for (id, &(object, _)) in problem.objects.iter().enumerate() {
             let n = x.stages.len();
             let miss = |i: usize| {
-                let (l, r) = (x.position(i, 0), x.position(i, 1));
+                let (l, r) = (x.position(i, Side::Left), x.position(i, Side::Right));
                 let rung = l - r;
                 let length = rung.norm();
                 let along = (object - r).dot(rung) / length;
@@ -209,9 +251,9 @@ impl ActiveSet {
 }
 
 /// The half-plane of a robot beside an object that the rung passes over: beyond the distance that it keeps.
-fn side_plane(problem: &Problem, x: &Iterate, i: usize, object: usize, robot: u8) -> HalfPlane {
-    let (l, r) = (x.position(i, 0), x.position(i, 1));
-    let out = (l - r) / l.distance(r) * if robot == 0 { 1.0 } else { -1.0 };
+fn side_plane(problem: &Problem, x: &Iterate, i: usize, object: usize, robot: Side) -> HalfPlane {
+    let (l, r) = (x.position(i, Side::Left), x.position(i, Side::Right));
+    let out = (l - r) / l.distance(r) * robot.sign();
     let (center, keep) = problem.objects[object];
     HalfPlane {
         normal: out.into(),

@@ -1,4 +1,4 @@
-//! What a line search compares: violation, and the barrier function by its parts.
+//! What a line search compares: violation, and the barrier function by its parts; and what says that a point is optimal.
 
 /// Merit of a point.
 #[derive(Clone, Copy, Debug, Default)]
@@ -55,4 +55,19 @@ impl LogarithmSum {
     pub fn sum(&self) -> f64 {
         self.sum + self.product.ln()
     }
+}
+
+/// Measures of optimality at an iterate.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub struct Residuals {
+    /// Largest entry of the Lagrangian's gradient, as a share of the largest entry of the objective's gradient.
+    pub dual: f64,
+    /// Largest violation of `c - s + e = 0` and of the equalities.
+    pub primal: f64,
+    /// Largest deviation of a complementarity product from the barrier parameter.
+    pub complementarity: f64,
+    /// Sum of all complementarity products: bounds the cost above the optimum.
+    pub gap: f64,
+    /// How many products that are.
+    pub products: usize,
 }

@@ -1,12 +1,13 @@
 //! The Newton direction of the condensed system, and what it means for slacks, violations and multipliers.
 
 use crate::assembly::{DUAL_REGULARIZATION, System};
-use crate::interior_point::State;
 use crate::iterate::STAGE;
 use crate::linear::BandMatrix;
 use crate::row::Row;
+use crate::state::State;
 use crate::step::{Coordinate, STEP_BOUNDS};
 use crate::term::PAIR;
+use pairtrawl_model::Side;
 use std::ops::Range;
 
 /// Factorization and direction.
@@ -114,7 +115,7 @@ impl Newton {
     }
 
     /// What the direction means for all rows, and for the multipliers of the equalities (they always take the full step).
-    pub fn recover(&mut self, state: &mut State, frozen: Option<usize>) {
+    pub fn recover(&mut self, state: &mut State, frozen: Option<Side>) {
         let count = state.x.stages.len();
         self.lambda.clone_from(&state.lambda);
         self.limits.resize(count, 1.0);
@@ -123,14 +124,14 @@ impl Newton {
     }
 
     /// As [`Self::recover`] for the rows of a range of stages and of the steps from them.
-    pub fn recover_part(&mut self, state: &mut State, frozen: Option<usize>, part: Range<usize>) {
+    pub fn recover_part(&mut self, state: &mut State, frozen: Option<Side>, part: Range<usize>) {
         let (count, mu, set) = (state.x.stages.len(), state.mu, &mut state.set);
         self.limits[part.clone()].fill(1.0);
         self.slopes[part.clone()].fill(0.0);
         let steps = part.start..part.end.min(count - 1);
-        for (i, robot) in steps.flat_map(|i| [(i, 0), (i, 1)]) {
-            let at = 2 * i + robot;
-            let k = 3 * robot;
+        for (i, robot) in steps.flat_map(|i| Side::BOTH.map(|robot| (i, robot))) {
+            let at = 2 * i + robot.index();
+            let k = 3 * robot.index();
             let (a, b) = (self.stage(i, count), self.stage(i + 1, count));
             let step = &set.frames[at];
             let (along, across, turn) = step.change(&a[k..k + 3], &b[k..k + 3]);
@@ -162,7 +163,7 @@ impl Newton {
         for point in within(&mut set.points, &part, |p| p.stage) {
             let i = point.stage as usize;
             let d = self.stage(i, count);
-            let k = 3 * point.robot as usize;
+            let k = 3 * point.robot.index();
             let local = [d[k], d[k + 1]];
             finish(
                 &mut point.row,

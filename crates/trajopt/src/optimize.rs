@@ -1,7 +1,12 @@
-use crate::interior_point::{Residuals, Settings, State, Workspace, solve};
+use crate::interior_point::solve;
 use crate::iterate::Iterate;
+use crate::merit::Residuals;
 use crate::problem::Problem;
+use crate::settings::Settings;
 use crate::shortfalls::{ShrunkMargin, Violation, shortfalls};
+use crate::state::State;
+use crate::step::Step;
+use crate::workspace::Workspace;
 use pairtrawl_model::{PairTrajectory, SolverStatus};
 
 /// What the optimizer returns. Whether the trajectories are a valid plan is for the certificate to say.
@@ -110,7 +115,7 @@ fn held_cost(problem: &Problem, x: &Iterate) -> f64 {
     };
     (0..x.stages.len() - 1)
         .map(|i| {
-            let (real, seen) = (x.step(i, robot), problem.step(x, i, robot));
+            let (real, seen) = (Step::of(x, i, robot), problem.step(x, i, robot));
             problem.distance_weight() * (real.along - seen.along)
                 + 2.0 * problem.turn_weight() * real.turn.max(0.0)
         })

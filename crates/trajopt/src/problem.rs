@@ -2,7 +2,7 @@ use crate::constraints::{Abreast, NetReach, SeparationAbove, SeparationBelow};
 use crate::costs::Expansion;
 use crate::pieces::PieceIndex;
 use pairtrawl_geometry::{Convex, Point};
-use pairtrawl_model::{Area, PairPose, PlannerParameters, Robot, Scene};
+use pairtrawl_model::{Area, PairPose, PlannerParameters, Robot, Scene, Side};
 
 /// What is optimized: costs, constraints, fixed ends. Immutable while solving.
 #[derive(Clone, Debug)]
@@ -29,8 +29,8 @@ pub struct Problem {
     pub reserve: Reserve,
     /// What is asked of the separation between its bounds.
     pub separation: SeparationRule,
-    /// Robot 0 (left) or 1 (right) that stays where it is, as in Algorithm 1.
-    pub frozen: Option<usize>,
+    /// The robot that stays where it is, as in Algorithm 1.
+    pub frozen: Option<Side>,
 }
 
 /// What is asked of the separation `d`. All but the first are the paper's comparisons: studies, whose results break claims.

@@ -6,12 +6,14 @@
 //! are, and the rest of the direction stays. The curvature of the slip's frame stays that of the assembled multipliers.
 
 use crate::assembly::{StepDerivatives, System, base};
-use crate::interior_point::{State, Workspace};
 use crate::local::Local;
 use crate::newton::within;
 use crate::problem::Problem;
 use crate::row::Condensed;
+use crate::state::State;
 use crate::step::{Coordinate, STEP_BOUNDS, Step};
+use crate::workspace::Workspace;
+use pairtrawl_model::Side;
 use std::ops::Range;
 
 /// Directions at most that are found again in an iteration.
@@ -102,7 +104,7 @@ impl System {
             for (kind, row) in rows.iter_mut().enumerate() {
                 if let Some(added) = row.reinforce(mu, SHORT) {
                     any = true;
-                    let step = (i, at % 2, &set.frames[at]);
+                    let step = (i, Side::BOTH[at % 2], &set.frames[at]);
                     self.add_step_row(step, count, kind, row.gradient[0], added);
                 }
             }
@@ -119,7 +121,7 @@ impl System {
                 any = true;
                 let local = Local::of_row(&point.row.gradient, added);
                 if let Some(b) = base(i, count) {
-                    self.scatter_block(b + 3 * point.robot as usize, [0, 1], &local);
+                    self.scatter_block(b + 3 * point.robot.index(), [0, 1], &local);
                 }
             }
         }
@@ -135,7 +137,7 @@ impl System {
 
     fn add_step_row(
         &mut self,
-        (i, robot, step): (usize, usize, &Step),
+        (i, robot, step): (usize, Side, &Step),
         count: usize,
         kind: usize,
         sign: f64,

@@ -1,10 +1,10 @@
 //! What a point falls short of: claims that are not met, and margins that gave way.
 
 use crate::active::{PointKind, SAG, Tier};
-use crate::interior_point::State;
 use crate::problem::Problem;
+use crate::state::State;
 use pairtrawl_geometry::Point;
-use pairtrawl_model::ClaimId;
+use pairtrawl_model::{ClaimId, Side};
 
 /// A constraint that the returned trajectories do not meet.
 #[derive(Clone, Debug, PartialEq)]
@@ -78,8 +78,8 @@ pub(crate) fn shortfalls(problem: &Problem, state: &State) -> (Vec<Violation>, V
         let stage = pair.stage as usize;
         let place = state
             .x
-            .position(stage, 0)
-            .lerp(state.x.position(stage, 1), 0.5);
+            .position(stage, Side::Left)
+            .lerp(state.x.position(stage, Side::Right), 0.5);
         let (claim, margin) = match pair.kind {
             0 => (ClaimId::Separation, reserve.separation),
             1 => (ClaimId::Separation, 0.0),
@@ -109,7 +109,7 @@ pub(crate) fn shortfalls(problem: &Problem, state: &State) -> (Vec<Violation>, V
             claim,
             stage,
             subject,
-            state.x.position(stage, point.robot.into()),
+            state.x.position(stage, point.robot),
             point.row.c,
             margin,
         );
@@ -118,8 +118,8 @@ pub(crate) fn shortfalls(problem: &Problem, state: &State) -> (Vec<Violation>, V
         let stage = quad.step as usize;
         let place = state
             .x
-            .position(stage, 0)
-            .lerp(state.x.position(stage, 1), 0.5);
+            .position(stage, Side::Left)
+            .lerp(state.x.position(stage, Side::Right), 0.5);
         let margin = slack(quad.tier, reserve.net_clearance);
         judge(
             ClaimId::NetEnclosesNoObstacle,

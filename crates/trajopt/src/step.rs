@@ -6,6 +6,7 @@
 
 use crate::iterate::Iterate;
 use crate::problem::Problem;
+use pairtrawl_model::Side;
 
 /// A step in its frame.
 #[derive(Clone, Copy, Debug)]
@@ -90,7 +91,7 @@ impl Problem {
 impl Problem {
     /// A robot-step of an iterate. That of a robot that is held where it is stands for nothing to be met or mended: it keeps
     /// off every bound.
-    pub(crate) fn step(&self, x: &Iterate, i: usize, robot: usize) -> Step {
+    pub(crate) fn step(&self, x: &Iterate, i: usize, robot: Side) -> Step {
         if self.frozen == Some(robot) {
             return Step {
                 along: 0.5 * self.planner.max_step,
@@ -100,7 +101,7 @@ impl Problem {
                 cos: 1.0,
             };
         }
-        x.step(i, robot)
+        Step::of(x, i, robot)
     }
 }
 
@@ -118,6 +119,13 @@ impl StepBound {
 }
 
 impl Step {
+    /// A robot over the step from waypoint `i`.
+    #[inline]
+    pub fn of(x: &Iterate, i: usize, robot: Side) -> Self {
+        let k = 3 * robot.index();
+        Self::new(&x.stages[i][k..k + 3], &x.stages[i + 1][k..k + 3])
+    }
+
     /// From the poses (x, y, heading) at both ends.
     #[inline]
     pub fn new(from: &[f64], to: &[f64]) -> Self {

@@ -4,7 +4,7 @@ use pairtrawl_certificate::certify;
 use pairtrawl_generate::{Generated, Kind, generate};
 use pairtrawl_geometry::{Point, Pose};
 use pairtrawl_model::{
-    Area, ClaimId, Footprint, Object, Obstacle, PairPose, PairTrajectory, Scene, SolverStatus,
+    Area, ClaimId, Footprint, Object, Obstacle, PairPose, PairTrajectory, Scene, Side, SolverStatus,
 };
 use pairtrawl_trajopt::{Problem, Settings, Solution, evaluate, optimize, optimize_watched};
 use pairtrawl_world::World;
@@ -278,21 +278,25 @@ fn a_warm_start_from_a_plan_leads_to_that_plan_soon() {
 #[test]
 fn a_frozen_robot_stays_where_it_is_while_the_other_gains() {
     let made = witness(4, 1, 120);
-    for frozen in [0, 1] {
+    for frozen in Side::BOTH {
         let mut problem = problem(&made.scene, Some(made.net_length));
         problem.frozen = Some(frozen);
         let solution = optimize(&problem, &made.witness, &Settings::default());
         let robots = |t: &PairTrajectory| [t.left.clone(), t.right.clone()];
         let (before, after) = (robots(&made.witness), robots(&solution.trajectory));
-        let farthest = |robot: usize| {
-            before[robot]
+        let farthest = |robot: Side| {
+            before[robot.index()]
                 .iter()
-                .zip(&after[robot])
+                .zip(&after[robot.index()])
                 .map(|(a, b)| a.position().distance(b.position()))
                 .fold(0.0, f64::max)
         };
         assert!(farthest(frozen) < 1e-9, "{}", farthest(frozen));
-        assert!(farthest(1 - frozen) > 1e-2, "{}", farthest(1 - frozen));
+        assert!(
+            farthest(frozen.other()) > 1e-2,
+            "{}",
+            farthest(frozen.other())
+        );
         let cost = |t: &PairTrajectory| evaluate(&made.scene, t, made.net_length).total();
         assert!(cost(&solution.trajectory) < cost(&made.witness));
         // Joint is never worse.
@@ -304,7 +308,7 @@ fn a_frozen_robot_stays_where_it_is_while_the_other_gains() {
 #[test]
 fn what_is_minimized_is_j_whoever_is_held() {
     let made = witness(4, 1, 120);
-    for frozen in [None, Some(0), Some(1)] {
+    for frozen in [None, Some(Side::Left), Some(Side::Right)] {
         let mut problem = problem(&made.scene, Some(made.net_length));
         // Without margins there is nothing else to pay for.
         problem.reserve.clearance = 0.0;

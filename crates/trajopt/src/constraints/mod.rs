@@ -1,4 +1,4 @@
-//! Constraints `c >= 0` at a waypoint, in local coordinates, one a file. Those of a step are in [`crate::step`].
+//! Constraints `c >= 0` at a waypoint, in local coordinates, one a file. Those of a step are in `step.rs`.
 
 mod abreast;
 mod half_plane;

@@ -1,5 +1,5 @@
 //! The terms of the paper's J that bend, in differentiable form. J_dist is linear in the coordinates of a step
-//! ([`crate::step`]), J_s is quadratic and lives in the assembly.
+//! (`step.rs`), J_s is quadratic and lives in the assembly.
 
 mod expansion;
 

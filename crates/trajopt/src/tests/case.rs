@@ -2,9 +2,10 @@
 
 use super::between;
 use crate::active::{SAG, Tier};
-use crate::interior_point::{Settings, State};
 use crate::iterate::Iterate;
 use crate::problem::Problem;
+use crate::settings::Settings;
+use crate::state::State;
 use pairtrawl_generate::{Generated, Kind, generate};
 use pairtrawl_geometry::{Bounds, Convex, Point};
 use pairtrawl_model::Obstacle;

@@ -4,16 +4,18 @@ use super::case::{Case, shaken};
 use crate::active::{PointKind, Tier};
 use crate::assembly::System;
 use crate::constraints::QuadDistance;
-use crate::interior_point::State;
 use crate::iterate::{Iterate, STAGE};
 use crate::pieces::Piece;
+use crate::state::State;
+use crate::step::Step;
 use crate::term::Term;
 use pairtrawl_geometry::{Convex, Hull, Point, Polygon, Pose};
+use pairtrawl_model::Side;
 
 /// What a multiplier at a waypoint belongs to.
 enum Subject {
     Pair(u8),
-    Point(usize, PointKind),
+    Point(Side, PointKind),
 }
 
 /// Objective minus multipliers times constraints plus multipliers times slips.
@@ -40,7 +42,7 @@ impl<'a> Lagrangian<'a> {
                 at_stages[r.stage as usize].push((Subject::Pair(r.kind), r.row.z));
             }
             for r in &set.points {
-                let subject = Subject::Point(r.robot.into(), r.kind);
+                let subject = Subject::Point(r.robot, r.kind);
                 at_stages[r.stage as usize].push((subject, r.row.z));
             }
             for r in &set.quads {
@@ -86,7 +88,7 @@ impl<'a> Lagrangian<'a> {
             Subject::Pair(3) => abreast(l.heading),
             Subject::Pair(_) => abreast(r.heading),
             Subject::Point(robot, ref kind) => {
-                let p = [l, r][robot].position();
+                let p = [l, r][robot.index()].position();
                 match *kind {
                     PointKind::Object(id, tier) => {
                         let object = scene.objects[id as usize];
@@ -118,8 +120,13 @@ impl<'a> Lagrangian<'a> {
             .case
             .kept(tier, self.case.problem.reserve.net_clearance);
         let convex = &self.case.pieces[id as usize];
-        let corner = |k: usize, robot: usize| x.position(i + k, robot);
-        let hull = Hull::of(&[corner(0, 0), corner(0, 1), corner(1, 0), corner(1, 1)]);
+        let corner = |k: usize, robot: Side| x.position(i + k, robot);
+        let hull = Hull::of(&[
+            corner(0, Side::Left),
+            corner(0, Side::Right),
+            corner(1, Side::Left),
+            corner(1, Side::Right),
+        ]);
         let gap = match convex {
             Convex::Polygon(v) => hull.gap_to_polygon(&Polygon::new(v.clone())).distance,
             Convex::Circle { center, radius } => hull.gap_to_disc(*center, *radius).distance,
@@ -145,7 +152,9 @@ impl<'a> Lagrangian<'a> {
     }
 
     fn at_stage(&self, x: &Iterate, i: usize) -> f64 {
-        let apart = x.position(i, 0).distance(x.position(i, 1));
+        let apart = x
+            .position(i, Side::Left)
+            .distance(x.position(i, Side::Right));
         self.at_stages[i]
             .iter()
             .fold(self.expansion(apart, x.net_length), |sum, (subject, z)| {
@@ -232,7 +241,7 @@ impl<'a> Lagrangian<'a> {
         let mut rows = Vec::new();
         let bounds = case.problem.step_bounds();
         for (k, row) in set.steps.iter().enumerate() {
-            let step = x.step(k / 10, (k / 5) % 2);
+            let step = Step::of(x, k / 10, Side::BOTH[(k / 5) % 2]);
             let c = bounds[k % 5].value(&step);
             rows.push([c, row.s, row.e, row.z, row.weight]);
         }
@@ -241,7 +250,7 @@ impl<'a> Lagrangian<'a> {
             rows.push([c, r.row.s, r.row.e, r.row.z, r.row.weight]);
         }
         for r in &set.points {
-            let subject = Subject::Point(r.robot.into(), r.kind);
+            let subject = Subject::Point(r.robot, r.kind);
             let c = of.constraint(&subject, x, r.stage as usize);
             rows.push([c, r.row.s, r.row.e, r.row.z, r.row.weight]);
         }

@@ -1,8 +1,8 @@
 //! Moving along a direction.
 
 use super::case::{Case, shaken};
-use crate::interior_point::Workspace;
 use crate::row::Row;
+use crate::workspace::Workspace;
 
 #[test]
 fn slacks_stay_positive_however_short_the_longest_step_is() {

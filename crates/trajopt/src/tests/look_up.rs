@@ -4,6 +4,7 @@ use super::case::Case;
 use crate::active::{ActiveSet, PointKind, Tier};
 use crate::iterate::Iterate;
 use pairtrawl_geometry::{Convex, Hull, Point, Polygon};
+use pairtrawl_model::Side;
 use std::collections::BTreeSet;
 
 fn cases() -> Vec<(Case, Iterate)> {
@@ -37,7 +38,7 @@ fn every_object_near_a_robot_is_found() {
     let mut found = 0;
     for (case, x) in cases() {
         let set = set_of(&case, &x);
-        let rows: BTreeSet<(u32, u8, u32, u8)> = set
+        let rows: BTreeSet<(u32, Side, u32, u8)> = set
             .points
             .iter()
             .filter_map(|r| match r.kind {
@@ -48,7 +49,7 @@ fn every_object_near_a_robot_is_found() {
         let scene = &case.made.scene;
         let mut expected = BTreeSet::new();
         for stage in 1..x.stages.len() - 1 {
-            for robot in 0..2 {
+            for robot in Side::BOTH {
                 for (id, object) in scene.objects.iter().enumerate() {
                     for tier in Tier::BOTH {
                         let gap = x.position(stage, robot).distance(object.position)
@@ -56,7 +57,7 @@ fn every_object_near_a_robot_is_found() {
                             - scene.robot.radius
                             - case.kept(tier, case.problem.reserve.clearance);
                         if gap < ahead(tier) {
-                            expected.insert((stage as u32, robot as u8, id as u32, tier as u8));
+                            expected.insert((stage as u32, robot, id as u32, tier as u8));
                         }
                     }
                 }
@@ -79,7 +80,9 @@ fn every_obstacle_near_what_the_line_sweeps_is_found() {
         let set = set_of(&case, &x);
         let rows: BTreeSet<(u32, u32, u8)> = set.quads.iter().map(|r| r.key()).collect();
         for step in 0..x.stages.len() - 1 {
-            let ends = [(0, 0), (0, 1), (1, 0), (1, 1)].map(|(k, r)| x.position(step + k, r));
+            let ends = [0, 1]
+                .map(|k| Side::BOTH.map(|r| x.position(step + k, r)))
+                .concat();
             let hull = Hull::of(&ends);
             // The nearest six, and those that overlap before all.
             let mut near: Vec<(f64, u32)> = Vec::new();
@@ -120,7 +123,7 @@ fn crossings_are_where_a_search_of_all_waypoints_finds_them() {
             }
             for (id, object) in case.made.scene.objects.iter().enumerate() {
                 let miss = |i: usize| {
-                    let (l, r) = (x.position(i, 0), x.position(i, 1));
+                    let (l, r) = (x.position(i, Side::Left), x.position(i, Side::Right));
                     let unit = (l - r) / l.distance(r);
                     let from: Point = object.position - r;
                     let beyond = (-from.dot(unit)).max(from.dot(unit) - l.distance(r));

@@ -4,12 +4,14 @@ use super::between;
 use super::case::{Case, shaken};
 use crate::active::slope_of;
 use crate::assembly::{DUAL_REGULARIZATION, System};
-use crate::interior_point::State;
 use crate::iterate::STAGE;
 use crate::local::Local;
 use crate::newton::Newton;
 use crate::row::{Condensed, Row};
+use crate::state::State;
+use crate::step::Step;
 use crate::term::{QUAD, Term};
+use pairtrawl_model::Side;
 
 /// A direction: of every waypoint, the ends at rest, and of the net length.
 struct Direction {
@@ -64,7 +66,7 @@ fn of_row<const K: usize>(row: &Row<K>, (_, gradient): (f64, [f64; K]), local: &
 pub fn bend(case: &Case, state: &State, lambda: &[f64], at: usize) -> (f64, f64) {
     let p = &case.made.scene.planner;
     let rows = &state.set.steps[5 * at..][..5];
-    let step = state.x.step(at / 2, at % 2);
+    let step = Step::of(&state.x, at / 2, Side::BOTH[at % 2]);
     let tension = p.a2 * p.t1 - rows[0].z + rows[1].z;
     let taut = (tension * step.along).max(0.0);
     let most = 0.9 * ((sigma(&rows[0]) + sigma(&rows[1])) * taut).sqrt();
@@ -94,7 +96,7 @@ fn by_hand(case: &Case, state: &State, d: &Direction) -> (f64, f64) {
         for robot in 0..2 {
             let k = 3 * robot;
             let (from, to) = (&d.stages[i][k..k + 3], &d.stages[i + 1][k..k + 3]);
-            let step = x.step(i, robot);
+            let step = Step::of(x, i, Side::BOTH[robot]);
             let (along, across, turn) = step.change(from, to);
             slips += across * across / DUAL_REGULARIZATION;
             let rows = &set.steps[5 * (2 * i + robot)..][..5];
@@ -117,8 +119,8 @@ fn by_hand(case: &Case, state: &State, d: &Direction) -> (f64, f64) {
         );
     }
     for r in &set.points {
-        let (i, k) = (r.stage as usize, 3 * r.robot as usize);
-        let z = x.point(i, r.robot.into());
+        let (i, k) = (r.stage as usize, 3 * r.robot.index());
+        let z = x.point(i, r.robot);
         let local = [d.stages[i][k], d.stages[i][k + 1]];
         sum += of_row(&r.row, problem.point_term(&r.kind, slope_of(&z)), &local);
     }

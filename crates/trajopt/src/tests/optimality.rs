@@ -2,7 +2,12 @@
 
 use super::case::Case;
 use super::lagrangian::Lagrangian;
-use crate::interior_point::{Settings, State, Workspace, solve};
+use crate::interior_point::solve;
+use crate::settings::Settings;
+use crate::state::State;
+use crate::step::Step;
+use crate::workspace::Workspace;
+use pairtrawl_model::Side;
 use pairtrawl_model::SolverStatus;
 
 fn run(case: &Case, settings: &Settings) -> (State, SolverStatus) {
@@ -60,8 +65,8 @@ fn residuals_are_what_the_solver_says() {
                 };
         }
         for i in 0..state.x.stages.len() - 1 {
-            for robot in 0..2 {
-                primal = primal.max(state.x.step(i, robot).across.abs());
+            for robot in Side::BOTH {
+                primal = primal.max(Step::of(&state.x, i, robot).across.abs());
             }
         }
         assert!(

@@ -1,8 +1,8 @@
 //! The direction found again in a part of the course, all else staying as it is.
 
 use super::case::{Case, shaken};
-use crate::interior_point::Workspace;
 use crate::iterate::STAGE;
+use crate::workspace::Workspace;
 
 const SHIFT: f64 = 0.1;
 
@@ -75,7 +75,7 @@ fn rows_of_a_part_follow_the_direction_as_all_rows_do() {
     work.newton.recover(&mut state, None);
     assert_eq!(part.0.limits, work.newton.limits);
     assert_eq!(part.0.lambda, work.newton.lambda);
-    let steps = |s: &crate::interior_point::State| {
+    let steps = |s: &crate::state::State| {
         let mut all = Vec::new();
         each_row!(s.set, row, { all.push([row.ds, row.de, row.dz]) });
         all

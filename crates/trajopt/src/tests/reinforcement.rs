@@ -5,9 +5,12 @@ use super::case::{Case, shaken};
 use super::matrix::{bend, sigma, times};
 use crate::active::{ActiveSet, PointKind};
 use crate::assembly::System;
-use crate::interior_point::{State, Workspace};
 use crate::iterate::STAGE;
 use crate::row::Row;
+use crate::state::State;
+use crate::step::Step;
+use crate::workspace::Workspace;
+use pairtrawl_model::Side;
 use std::collections::BTreeMap;
 
 const MU: f64 = 1e-3;
@@ -60,7 +63,7 @@ fn stiffened(before: &ActiveSet, after: &ActiveSet) -> BTreeMap<String, f64> {
             PointKind::Area(_) => "area",
         };
         add(&mut most, kind.into(), &a.row, &b.row);
-        add(&mut most, format!("robot {}", b.robot), &a.row, &b.row);
+        add(&mut most, b.robot.to_string(), &a.row, &b.row);
     }
     for (a, b) in before.quads.iter().zip(&after.quads) {
         add(&mut most, "quad".into(), &a.row, &b.row);
@@ -73,7 +76,7 @@ fn add_bends(dense: &mut [Vec<f64>], case: &Case, state: &State, lambda: &[f64],
     for at in 0..lambda.len() {
         let (taut, lateral) = bend(case, state, lambda, at);
         let (i, robot) = (at / 2, at % 2);
-        let step = state.x.step(i, robot);
+        let step = Step::of(&state.x, i, Side::BOTH[robot]);
         // Variables of both ends with their parts in the mid-step heading and in the way forward.
         let parts = |end: usize| {
             let sign = if end == 0 { -1.0 } else { 1.0 };
@@ -170,8 +173,23 @@ fn the_reinforced_system_is_that_of_the_raised_multipliers() {
     }
     // Every kind of row was raised, by far more than rounding.
     let expected = [
-        "step 0", "step 1", "step 2", "step 3", "step 4", "pair 0", "pair 1", "pair 2", "pair 3",
-        "pair 4", "object", "piece", "side", "area", "robot 0", "robot 1", "quad",
+        "step 0",
+        "step 1",
+        "step 2",
+        "step 3",
+        "step 4",
+        "pair 0",
+        "pair 1",
+        "pair 2",
+        "pair 3",
+        "pair 4",
+        "object",
+        "piece",
+        "side",
+        "area",
+        "left robot",
+        "right robot",
+        "quad",
     ];
     for kind in expected {
         assert!(
@@ -225,7 +243,7 @@ fn the_direction_is_that_of_the_reinforced_system() {
 
 #[test]
 fn a_frozen_robot_does_not_move_however_rows_are_reinforced() {
-    for frozen in [0, 1] {
+    for frozen in Side::BOTH {
         let mut case = Case::tight(9, 2, 60, false);
         case.problem.frozen = Some(frozen);
         let mut state = unprepared(&case, 2);
@@ -237,7 +255,7 @@ fn a_frozen_robot_does_not_move_however_rows_are_reinforced() {
             .expect("a direction");
         assert!(!stiffened(&before, &state.set).is_empty());
         for (k, d) in work.newton.direction.iter().enumerate() {
-            let of_frozen = (k % STAGE) / 3 == frozen;
+            let of_frozen = (k % STAGE) / 3 == frozen.index();
             assert!(!of_frozen || d.abs() < 1e-12, "{d} of variable {k}");
         }
     }
