@@ -40,11 +40,19 @@ impl Units {
 
     /// A scene given in SI units, expressed in these. Angles and ratios stay.
     pub fn scene(&self, scene: &Scene) -> Scene {
-        let &Self {
-            length: l,
-            time,
-            mass,
-        } = self;
+        self.scene_with(scene, |x| x)
+    }
+
+    /// The same with `tidy` applied to every number that is converted.
+    pub(crate) fn scene_with(&self, scene: &Scene, tidy: impl Fn(f64) -> f64) -> Scene {
+        let (l, time, mass) = (self.length, self.time, self.mass);
+        let length = |x: f64| tidy(x / l);
+        let point = |p: Point| Point::new(length(p.x), length(p.y));
+        let pose = |p: Pose| Pose::new(length(p.x), length(p.y), p.heading);
+        let pair = |pair: PairPose| PairPose {
+            left: pose(pair.left),
+            right: pose(pair.right),
+        };
         let Scene {
             name,
             area,
@@ -58,99 +66,85 @@ impl Units {
             planner,
             physics,
         } = scene;
-        let pair = |pair: &PairPose| PairPose {
-            left: self.pose(pair.left),
-            right: self.pose(pair.right),
+        let obstacle = |obstacle: &Obstacle| match obstacle {
+            Obstacle::Box { min, max } => Obstacle::Box {
+                min: point(*min),
+                max: point(*max),
+            },
+            Obstacle::Polygon(vertices) => {
+                Obstacle::Polygon(vertices.iter().map(|&v| point(v)).collect())
+            }
+            Obstacle::Circle { center, radius } => Obstacle::Circle {
+                center: point(*center),
+                radius: length(*radius),
+            },
+        };
+        let object = |object: &Object| Object {
+            position: point(object.position),
+            footprint: match object.footprint {
+                Footprint::Box(w, d) => Footprint::Box(length(w), length(d)),
+                Footprint::Disc(radius) => Footprint::Disc(length(radius)),
+            },
+            mass: tidy(object.mass / mass),
         };
         Scene {
             name: name.clone(),
             area: Area {
-                min: area.min / l,
-                max: area.max / l,
-                resolution: area.resolution / l,
+                min: point(area.min),
+                max: point(area.max),
+                resolution: length(area.resolution),
             },
-            obstacles: obstacles.iter().map(|o| self.obstacle(o)).collect(),
+            obstacles: obstacles.iter().map(obstacle).collect(),
             map: map.as_ref().map(|map| OccupancyMap {
-                origin: self.pose(map.origin),
-                resolution: map.resolution / l,
+                origin: pose(map.origin),
+                resolution: length(map.resolution),
                 ..map.clone()
             }),
-            objects: objects.iter().map(|o| self.object(o)).collect(),
-            start: pair(start),
-            end: pair(end),
+            objects: objects.iter().map(object).collect(),
+            start: pair(*start),
+            end: pair(*end),
             robot: Robot {
-                radius: robot.radius / l,
-                hitch: robot.hitch / l,
-                v_max: robot.v_max / self.speed(),
-                omega_max: robot.omega_max * time,
-                half_track: robot.half_track / l,
+                radius: length(robot.radius),
+                hitch: length(robot.hitch),
+                v_max: tidy(robot.v_max / self.speed()),
+                omega_max: tidy(robot.omega_max * time),
+                half_track: length(robot.half_track),
             },
             net: NetSpec {
-                length: net.length.map(|length| length / l),
+                length: net.length.map(length),
                 start: net
                     .start
                     .as_ref()
-                    .map(|points| points.iter().map(|&p| p / l).collect()),
+                    .map(|points| points.iter().map(|&p| point(p)).collect()),
             },
             planner: PlannerParameters {
-                max_step: planner.max_step / l,
-                clearance: planner.clearance / l,
-                cruise: planner.cruise / self.speed(),
-                half_separation: planner.half_separation / l,
-                circle_margin: planner.circle_margin.map(|margin| margin / l),
-                k2: planner.k2 / (l * l),
-                t1: planner.t1 * l,
-                kd2: planner.kd2 * (l * l),
-                b1: planner.b1 * (l * l),
-                b2: planner.b2 * (l * l),
+                max_step: length(planner.max_step),
+                clearance: length(planner.clearance),
+                cruise: tidy(planner.cruise / self.speed()),
+                half_separation: length(planner.half_separation),
+                circle_margin: planner.circle_margin.map(length),
+                k2: tidy(planner.k2 / (l * l)),
+                t1: tidy(planner.t1 * l),
+                kd2: tidy(planner.kd2 * (l * l)),
+                b1: tidy(planner.b1 * (l * l)),
+                b2: tidy(planner.b2 * (l * l)),
                 ..*planner
             },
             physics: PhysicsParameters {
-                gravity: physics.gravity * time * time / l,
-                robot_mass: physics.robot_mass / mass,
-                robot_inertia: physics.robot_inertia / (mass * l * l),
-                center_of_mass: physics.center_of_mass / l,
-                wheel_radius: physics.wheel_radius / l,
-                max_torque: physics.max_torque / self.torque(),
-                net_mass: physics.net_mass * l / mass,
-                net_link: physics.net_link / l,
-                net_thickness: physics.net_thickness / l,
-                net_height: physics.net_height / l,
-                hinge_damping: physics.hinge_damping / (self.torque() * time),
-                tension_limit: physics.tension_limit / self.force(),
+                gravity: tidy(physics.gravity * time * time / l),
+                robot_mass: tidy(physics.robot_mass / mass),
+                robot_inertia: tidy(physics.robot_inertia / (mass * l * l)),
+                center_of_mass: length(physics.center_of_mass),
+                wheel_radius: length(physics.wheel_radius),
+                max_torque: tidy(physics.max_torque / self.torque()),
+                net_mass: tidy(physics.net_mass * l / mass),
+                net_link: length(physics.net_link),
+                net_thickness: length(physics.net_thickness),
+                net_height: length(physics.net_height),
+                hinge_damping: tidy(physics.hinge_damping / (self.torque() * time)),
+                tension_limit: tidy(physics.tension_limit / self.force()),
                 ..*physics
             },
-        }
-    }
-
-    /// A pose given in m, expressed in these units.
-    pub fn pose(&self, pose: Pose) -> Pose {
-        Pose::at(pose.position() / self.length, pose.heading)
-    }
-
-    fn obstacle(&self, obstacle: &Obstacle) -> Obstacle {
-        let scaled = |p: &Point| *p / self.length;
-        match obstacle {
-            Obstacle::Box { min, max } => Obstacle::Box {
-                min: scaled(min),
-                max: scaled(max),
-            },
-            Obstacle::Polygon(vertices) => Obstacle::Polygon(vertices.iter().map(scaled).collect()),
-            Obstacle::Circle { center, radius } => Obstacle::Circle {
-                center: scaled(center),
-                radius: radius / self.length,
-            },
-        }
-    }
-
-    fn object(&self, object: &Object) -> Object {
-        Object {
-            position: object.position / self.length,
-            footprint: match object.footprint {
-                Footprint::Box(w, d) => Footprint::Box(w / self.length, d / self.length),
-                Footprint::Disc(radius) => Footprint::Disc(radius / self.length),
-            },
-            mass: object.mass / self.mass,
         }
     }
 }

@@ -238,7 +238,7 @@ fn ends_come_back_as_the_scenes_own() {
     assert_eq!(back.step_time, 0.25);
     let again = scales.scaled_trajectory(&back);
     let off = again.left[1].position().distance(between.position());
-    assert!(off < 1e-15, "{off}");
+    assert!(off < 1e-13, "{off}");
     assert_eq!(
         scales.trajectory(&scene, &PairTrajectory::default()),
         PairTrajectory::default()
@@ -250,5 +250,5 @@ fn ends_come_back_as_the_scenes_own() {
     });
     assert!((circle.radius - 0.385).abs() < 1e-15 && circle.objects == [3]);
     assert!((circle.center.y - 1.54).abs() < 1e-15);
-    assert!((scales.meters(scales.scaled(2.0)) - 2.0).abs() < 1e-15);
+    assert!((scales.meters(scales.scaled(2.0)) - 2.0).abs() < 1e-13);
 }
