@@ -175,6 +175,16 @@ impl From<RouteError> for PlanError {
                 margin: None,
                 remedy: "widen the passage, or move the object or the end".to_owned(),
             },
+            RouteError::SearchLimit { to, .. } => Self::NoPlan {
+                reason: error.to_string(),
+                claim: None,
+                step: None,
+                place: Some(to),
+                margin: None,
+                remedy: "place the objects so that the pair passes them on a way with fewer dead ends, make the area smaller, \
+                         or try the other search (--centerline)"
+                    .to_owned(),
+            },
             RouteError::BadOrder { .. }
             | RouteError::BadCenterline { .. }
             | RouteError::TooFewWaypoints { .. } => Self::BadInput {

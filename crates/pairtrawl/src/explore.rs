@@ -11,7 +11,7 @@ use rayon::prelude::*;
 /// How a baseline is varied.
 #[derive(Clone, Copy, Debug)]
 struct Variation {
-    /// The left robot is this many waypoints ahead.
+    /// The left robot is this far ahead, in units of the length scale.
     lead: f64,
     /// This robot is optimized first, the other one held where it is, and then the other one: a round of Algorithm 1.
     first: Option<Side>,
@@ -22,16 +22,16 @@ const fn varied(lead: f64, first: Option<Side>) -> Variation {
 }
 
 const VARIATIONS: [Variation; 10] = [
-    varied(-10.0, None),
-    varied(-5.0, None),
-    varied(5.0, None),
-    varied(10.0, None),
+    varied(-0.5, None),
+    varied(-0.25, None),
+    varied(0.25, None),
+    varied(0.5, None),
     varied(0.0, Some(Side::Left)),
     varied(0.0, Some(Side::Right)),
-    varied(-10.0, Some(Side::Left)),
-    varied(-10.0, Some(Side::Right)),
-    varied(10.0, Some(Side::Left)),
-    varied(10.0, Some(Side::Right)),
+    varied(-0.5, Some(Side::Left)),
+    varied(-0.5, Some(Side::Right)),
+    varied(0.5, Some(Side::Left)),
+    varied(0.5, Some(Side::Right)),
 ];
 /// Baselines are varied of orders that cost at most this many times the least.
 const WORTH_VARYING: f64 = 1.02;
@@ -108,7 +108,7 @@ impl Variation {
         start: &Start,
         baseline: &PairTrajectory,
     ) -> Option<Explored> {
-        let mut pair = with_lead(baseline, self.lead);
+        let mut pair = with_lead(baseline, self.lead, problem.planner.max_step);
         if let Some(robot) = self.first {
             let mut one = problem.clone();
             for held in [robot.other(), robot] {

@@ -48,64 +48,56 @@ fn difference(a: &PairTrajectory, b: &PairTrajectory, factor: f64) -> (f64, f64)
     })
 }
 
+/// Plans a scene at every size, and compares with the plan of the scene as it is.
 fn scales(loaded: &LoadedScene, options: &PlanOptions) {
     let options = PlanOptions {
         rehearsal: RehearsalMode::Skip,
         ..options.clone()
     };
-    let t = std::time::Instant::now();
     let as_it_is = planned(loaded, 1.0, &options);
-    println!("{} {:?}", loaded.scene.name, t.elapsed());
     for factor in FACTORS {
-        let t = std::time::Instant::now();
-        let units = Units {
-            length: 1.0 / factor,
-            ..Units::SI
-        };
-        let plan = match plan(
-            &units.scene(&loaded.scene),
-            &loaded.reference,
-            &options,
-            &mut (),
-        ) {
-            Ok(p) => p.plan,
-            Err(e) => {
-                println!("  {factor} {e}");
-                continue;
-            }
-        };
-        let (far, turned) = difference(&plan.trajectory, &as_it_is.trajectory, factor);
-        println!(
-            "  {factor} {:?} it {} vs {} far {far:.2e} turned {turned:.2e} valid {} cost {} {}",
-            t.elapsed(),
-            plan.solver.iterations,
-            as_it_is.solver.iterations,
-            plan.certificate.is_valid(),
-            plan.cost.total(),
-            as_it_is.cost.total()
+        let plan = planned(loaded, factor, &options);
+        let name = format!("{} times {factor}", loaded.scene.name);
+        assert!(plan.certificate.is_valid(), "{name}");
+        assert_eq!(
+            plan.solver.iterations, as_it_is.solver.iterations,
+            "{name}: iterations"
         );
+        let (far, turned) = difference(&plan.trajectory, &as_it_is.trajectory, factor);
+        assert!(far < 1e-6 && turned < 1e-6, "{name}: {far}, {turned} rad");
+        let length = plan.net_length / factor - as_it_is.net_length;
+        assert!(length.abs() < 1e-6, "{name}: net {length}");
+        let ratio = plan.cost.total() / as_it_is.cost.total();
+        assert!((ratio - 1.0).abs() < 1e-9, "{name}: cost {ratio}");
+        assert_eq!(plan.order, as_it_is.order, "{name}");
+        assert!((plan.trajectory.step_time / as_it_is.trajectory.step_time - 1.0).abs() < 1e-12);
+    }
+}
+
+/// One start only.
+fn one_start() -> PlanOptions {
+    PlanOptions {
+        explore: false,
+        ..PlanOptions::default()
     }
 }
 
 #[test]
-fn shipped_scenes_scale() {
-    let full = PlanOptions::default();
-    let quick = PlanOptions {
-        explore: false,
-        ..PlanOptions::default()
-    };
-    for name in std::env::var("SCENES")
-        .unwrap_or("witness-1 witness-9 paper-experiment".into())
-        .split(' ')
-    {
-        scales(
-            &scene(name),
-            if std::env::var("FULL").is_ok() {
-                &full
-            } else {
-                &quick
-            },
-        );
+fn scenes_from_files_scale() {
+    for name in ["witness-1", "witness-5", "paper-simulation"] {
+        scales(&scene(name), &one_start());
+    }
+}
+
+#[test]
+fn maps_scale() {
+    scales(&scene("turtlebot3-world"), &one_start());
+}
+
+#[test]
+fn so_do_all_choices_between_starts() {
+    for name in ["witness-9", "paper-experiment"] {
+        scales(&scene(name), &PlanOptions::default());
     }
 }
 
@@ -113,8 +105,30 @@ fn shipped_scenes_scale() {
 fn generated_scenes_scale() {
     let generated = generate(Kind::Witness, 4, 8, 200).expect("a scene");
     let text = scene_toml(&generated.scene).expect("a scene that can be written");
-    scales(
-        &parse_scene(&text, "generated").expect("a scene that can be read"),
-        &PlanOptions::default(),
-    );
+    let loaded = parse_scene(&text, "generated").expect("a scene that can be read");
+    scales(&loaded, &one_start());
+}
+
+#[test]
+fn the_net_length_that_was_asked_for_comes_back() {
+    let loaded = scene("witness-9");
+    let units = Units {
+        length: 1.0 / 7.3,
+        ..Units::SI
+    };
+    let large = units.scene(&loaded.scene);
+    let asked = 7.3 * 1.9;
+    let options = PlanOptions {
+        net_length: Some(pairtrawl::NetLength::Fixed(asked)),
+        rehearsal: RehearsalMode::Skip,
+        ..one_start()
+    };
+    let plan = plan(&large, &loaded.reference, &options, &mut ())
+        .expect("a plan")
+        .plan;
+    assert_eq!(plan.net_length, asked);
+    assert_eq!(plan.trajectory.left[0], large.start.left);
+    let last = plan.trajectory.len() - 1;
+    let end = plan.trajectory.right[last];
+    assert_eq!(end.position(), large.end.right.position());
 }

@@ -1,19 +1,34 @@
 use pairtrawl_geometry::Point;
+use pairtrawl_model::numbers::place;
 
 /// Why no route was found.
 #[derive(Clone, Copy, Debug, PartialEq, thiserror::Error)]
 pub enum RouteError {
     /// No way for the pair leads from one stop to the next, not even with the smallest radius and margin.
     #[error(
-        "no way for the pair leads from ({:.3}, {:.3}) to ({:.3}, {:.3}): every passage is narrower than the pair; \
+        "no way for the pair leads from {} to {}: every passage is narrower than the pair; \
          widen it, move the object or lower planner.half_separation",
-        from.x, from.y, to.x, to.y
+        place(*from), place(*to)
     )]
     NoPath {
-        /// The stop that was reached, m.
+        /// The stop that was reached.
         from: Point,
-        /// The stop that was not, m.
+        /// The stop that was not.
         to: Point,
+    },
+    /// The search for a way from one stop to the next was given up before it had looked everywhere.
+    #[error(
+        "no way for the pair was found from {} to {} within {states} states of the search, which has not seen all of the \
+         area: there may be one",
+        place(*from), place(*to)
+    )]
+    SearchLimit {
+        /// The stop that was reached.
+        from: Point,
+        /// The stop that was not.
+        to: Point,
+        /// States or samples that were looked at.
+        states: usize,
     },
     /// The visiting order is not a permutation of the circles.
     #[error(
@@ -49,6 +64,11 @@ impl RouteError {
             Self::NoPath { from, to } => Self::NoPath {
                 from: from * length,
                 to: to * length,
+            },
+            Self::SearchLimit { from, to, states } => Self::SearchLimit {
+                from: from * length,
+                to: to * length,
+                states,
             },
             Self::BadOrder { .. } | Self::BadCenterline { .. } | Self::TooFewWaypoints { .. } => {
                 self

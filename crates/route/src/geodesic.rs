@@ -1,20 +1,20 @@
 //! Obstacle-aware distances by fast marching: |grad T| = cost(p), solved on a coarse grid in order of T.
 //!
-//! The cost is 1 where the pair keeps its margins abreast and grows where it has to squeeze, so T is a length in
-//! meters of open floor. Reference: Sethian, "A fast marching level set method" (1996).
+//! The cost is 1 where the pair keeps its margins abreast and grows where it has to squeeze, so T is a length of
+//! open floor. Reference: Sethian, "A fast marching level set method" (1996).
 
 use crate::terrain::Terrain;
 use pairtrawl_geometry::Point;
 use std::cmp::Reverse;
 use std::collections::BinaryHeap;
 
-/// Finest spacing of the nodes, m: a gap of 2 robot radii + 0.2 m still has a node in its middle.
+/// Finest spacing of the nodes: a gap of 2 robot radii + 0.2 still has a node in its middle.
 const PITCH: f64 = 0.2;
 /// Most nodes of a grid.
 const MAX_NODES: f64 = 1e6;
 /// Share of the robot radius that the midpoint must keep: below it not even a staggered pair passes.
 const FLOOR: f64 = 0.8;
-/// Growth of the cost per meter of missing room for the pair.
+/// Growth of the cost per length of missing room for the pair.
 const SQUEEZE: f64 = 3.0;
 
 /// The cost of every node.
@@ -41,7 +41,9 @@ impl CostGrid {
         let pitch = PITCH.max((size.x * size.y / MAX_NODES).sqrt());
         let columns = (size.x / pitch).ceil().max(1.0) as usize + 1;
         let rows = (size.y / pitch).ceil().max(1.0) as usize + 1;
-        let floor = FLOOR * terrain.pair.radius;
+        // Where the nodes are coarse, a gap between them may be wider than it is at the nearest: better too many ways than
+        // too few, since the search along them looks closely.
+        let floor = FLOOR * terrain.pair.radius - (pitch - PITCH) * std::f64::consts::FRAC_1_SQRT_2;
         let wanted = terrain.pair.half_separation + terrain.pair.radius + terrain.pair.clearance;
         let mut cost = Vec::with_capacity(columns * rows);
         for row in 0..rows {
@@ -191,7 +193,7 @@ impl<'g> Geodesic<'g> {
         }
     }
 
-    /// T at a point, m; infinite when none of the nodes around it was reached.
+    /// T at a point; infinite when none of the nodes around it was reached.
     pub fn at(&self, p: Point) -> f64 {
         let direct = p.distance(self.source);
         if direct < 1.5 * self.grid.pitch {

@@ -4,7 +4,8 @@
 //! - [`hybrid_a_star::centerline`] or [`rrt_star::centerline`]: a path for the pair's midpoint through them;
 //! - [`baseline()`]: the two robots on either side of it (eqs. 1 to 3 of the paper).
 //!
-//! SI units, radians, map frame. Same input, same bits.
+//! Lengths are in units of the scene's length scale ([`pairtrawl_model::Scales`]): the constants in here are those of a
+//! machine of the paper's size, whatever size the machine has. Radians, map frame. Same input, same bits.
 
 mod banded;
 mod baseline;

@@ -4,14 +4,19 @@ use pairtrawl_geometry::Point;
 use pairtrawl_model::Scene;
 use pairtrawl_world::{OPEN_NET_LENGTH, World};
 
-/// Finest spacing of the distance samples, m.
+/// Finest spacing of the distance samples.
 const PITCH: f64 = 0.05;
 /// Most samples that a terrain holds; larger areas are sampled more coarsely.
 const MAX_SAMPLES: f64 = 4e6;
-/// Spacing of the buckets that objects are looked up in, m.
+/// Finest spacing of the buckets that objects are looked up in, and most buckets.
 const BUCKET: f64 = 1.0;
+const MAX_BUCKETS: f64 = 1e6;
+/// How much beyond its bounds the separation of a baseline stays, each robot.
+const SPARE: f64 = 0.005;
+/// Comfortable turning radius over that of a robot that turns and drives as much as it may in every step.
+const COMFORT: f64 = 1.2;
 
-/// The measures of the pair that decide where it fits, m.
+/// The measures of the pair that decide where it fits.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct PairMeasures {
     /// Radius of a robot.
@@ -24,20 +29,25 @@ pub(crate) struct PairMeasures {
     pub min_half: f64,
     /// Half of the greatest separation that a baseline uses.
     pub max_half: f64,
+    /// Turning radius of the midpoint at which neither robot need slow down or all but turn on the spot.
+    pub turning: f64,
 }
 
 impl PairMeasures {
     pub fn of(scene: &Scene) -> Self {
         let net = scene.net.length.unwrap_or(OPEN_NET_LENGTH);
         let radius = scene.robot.radius;
-        let min_half = radius.max(0.5 * scene.planner.min_ratio * net) + 0.005;
+        let min_half = radius.max(0.5 * scene.planner.min_ratio * net) + SPARE;
         let max_half = (0.475 * net).max(min_half);
+        let half_separation = scene.planner.half_separation.clamp(min_half, max_half);
+        let sharpest = scene.planner.max_step / scene.planner.max_turn;
         Self {
             radius,
             clearance: scene.planner.clearance,
-            half_separation: scene.planner.half_separation.clamp(min_half, max_half),
+            half_separation,
             min_half,
             max_half,
+            turning: (COMFORT * sharpest).max(2.0 * half_separation),
         }
     }
 }
@@ -61,6 +71,7 @@ pub(crate) struct Terrain {
     columns: usize,
     rows: usize,
     distance: Vec<f64>,
+    bucket: f64,
     bucket_columns: usize,
     bucket_rows: usize,
     buckets: Vec<Vec<u32>>,
@@ -90,8 +101,6 @@ impl Terrain {
                 distance.push(field(p).min(inside + pair.radius + pair.clearance));
             }
         }
-        let bucket_columns = (width / BUCKET) as usize + 1;
-        let bucket_rows = (height / BUCKET) as usize + 1;
         let objects: Vec<Disc> = scene
             .objects
             .iter()
@@ -100,6 +109,14 @@ impl Terrain {
                 radius: o.footprint_radius(),
             })
             .collect();
+        // Within a bucket's edge of a point lies every object that a robot of a pair around it could touch.
+        let largest = objects.iter().map(|o| o.radius).fold(0.0, f64::max);
+        let touching = largest + pair.half_separation + pair.radius + 2.0 * pair.clearance;
+        let bucket = touching
+            .max(BUCKET)
+            .max((width * height / MAX_BUCKETS).sqrt());
+        let bucket_columns = (width / bucket) as usize + 1;
+        let bucket_rows = (height / bucket) as usize + 1;
         let mut terrain = Self {
             min,
             max,
@@ -109,13 +126,14 @@ impl Terrain {
             columns,
             rows,
             distance,
+            bucket,
             bucket_columns,
             bucket_rows,
             buckets: vec![Vec::new(); bucket_columns * bucket_rows],
         };
         for (i, object) in terrain.objects.iter().enumerate() {
             let (column, row) = terrain.bucket(object.center);
-            // Listed in the neighbors too: a lookup then reads one bucket and finds all within BUCKET.
+            // Listed in the neighbors too: a lookup then reads one bucket and finds all within its edge.
             for r in row.saturating_sub(1)..=(row + 1).min(bucket_rows - 1) {
                 for c in column.saturating_sub(1)..=(column + 1).min(bucket_columns - 1) {
                     terrain.buckets[r * bucket_columns + c].push(i as u32);
@@ -126,14 +144,14 @@ impl Terrain {
     }
 
     fn bucket(&self, p: Point) -> (usize, usize) {
-        let index = |v: f64, n: usize| ((v / BUCKET).max(0.0) as usize).min(n - 1);
+        let index = |v: f64, n: usize| ((v / self.bucket).max(0.0) as usize).min(n - 1);
         (
             index(p.x - self.min.x, self.bucket_columns),
             index(p.y - self.min.y, self.bucket_rows),
         )
     }
 
-    /// Objects near a point: all within one meter, perhaps some more.
+    /// Objects near a point: all that a pair around it could touch, perhaps some more.
     pub fn objects_near(&self, p: Point) -> impl Iterator<Item = &Disc> {
         let (column, row) = self.bucket(p);
         self.buckets[row * self.bucket_columns + column]
@@ -141,7 +159,7 @@ impl Terrain {
             .map(|&i| &self.objects[i as usize])
     }
 
-    /// Distance of a robot center to the nearest obstacle or the softened border, m.
+    /// Distance of a robot center to the nearest obstacle or the softened border.
     pub fn distance(&self, p: Point) -> f64 {
         self.interpolate(p).0
     }

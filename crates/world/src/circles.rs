@@ -5,7 +5,7 @@ use std::cmp::Reverse;
 use std::collections::BinaryHeap;
 use std::f64::consts::TAU;
 
-/// d_max that merging assumes while the net length is open, m (MODEL.md, row 12).
+/// d_max that merging assumes while the net length is open.
 pub const OPEN_NET_LENGTH: f64 = 2.0;
 
 /// Sides of the polygon that stands for a disc in the bounding circle of several objects. It contains the disc, and is
@@ -24,7 +24,7 @@ pub(crate) fn object_circles(scene: &Scene) -> Vec<Circle> {
         .collect()
 }
 
-/// gamma: the planner's `circle_margin`, or the robot radius, m.
+/// gamma: the planner's `circle_margin`, or the robot radius.
 fn margin(scene: &Scene) -> f64 {
     scene.planner.circle_margin.unwrap_or(scene.robot.radius)
 }

@@ -1,8 +1,14 @@
+use crate::error::WorldError;
 use crate::pieces::footprint_outline;
 use crate::shape::{bounds, moved, overlaps_unit_square};
-use crate::{MAX_CELLS, REACH, WorldError};
 use pairtrawl_geometry::{Convex, Point, Pose};
 use pairtrawl_model::{Area, OccupancyMap, Scene};
+
+/// The greatest number of cells of an occupancy grid: 4096 x 4096.
+pub const MAX_CELLS: usize = 1 << 24;
+
+/// The grid goes on this far around the area: robots stay inside of the area, their net and their corners need not.
+pub const REACH: f64 = 1.0;
 
 /// A piece that overlaps a cell by less than this part of its edge only touches it.
 const TOUCH: f64 = 1e-6;
@@ -25,7 +31,7 @@ pub enum Cell {
 pub struct OccupancyGrid {
     /// Pose of the outer corner of cell (column 0, row 0), map frame.
     pub origin: Pose,
-    /// Edge length of a cell, m.
+    /// Edge length of a cell.
     pub resolution: f64,
     /// Cells along the grid's x axis.
     pub columns: usize,

@@ -1,7 +1,8 @@
 //! Occupancy grid, signed distance field, object circles and ROS maps.
 //!
 //! [`World::new`] turns a scene into what the planning stages ask of the space around the robots. The certificate does not
-//! use any of it.
+//! use any of it. Lengths are in units of the scene's length scale ([`pairtrawl_model::Scales`]): the constants in here
+//! are those of a machine of the paper's size.
 
 mod bounding_circle;
 mod circles;
@@ -20,18 +21,12 @@ pub use bounding_circle::minimum_bounding_circle;
 pub use circles::OPEN_NET_LENGTH;
 pub use error::WorldError;
 pub use field::DistanceField;
-pub use grid::{Cell, OccupancyGrid, grid_size};
+pub use grid::{Cell, MAX_CELLS, OccupancyGrid, REACH, grid_size};
 pub use pieces::{convex_cover, footprint_outline, obstacle_pieces};
 pub use shape::{overlap, signed_distance};
 
 use pairtrawl_geometry::{Convex, Point};
 use pairtrawl_model::{Circle, Scene};
-
-/// The greatest number of cells of an occupancy grid: 4096 x 4096.
-pub const MAX_CELLS: usize = 1 << 24;
-
-/// The grid goes on this far around the area, m: robots stay inside of the area, their net and their corners need not.
-pub const REACH: f64 = 1.0;
 
 /// What the planner knows about the space of a scene.
 #[derive(Clone, Debug)]
@@ -50,7 +45,7 @@ pub struct World {
 }
 
 impl World {
-    /// Builds the world of a scene; `net_length` is d_max in m, `None` while it is open.
+    /// Builds the world of a scene; `net_length` is d_max, `None` while it is open.
     ///
     /// # Errors
     /// When the grid would be too large, a size is not positive, a coordinate is not finite, or a polygon is flat.

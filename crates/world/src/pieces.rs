@@ -1,4 +1,4 @@
-use crate::WorldError;
+use crate::error::WorldError;
 use crate::map_rectangles::{blocked_rectangles, outside_rectangles};
 use crate::polygon::convex_parts;
 use pairtrawl_geometry::{Convex, Point};

@@ -5,25 +5,25 @@ use crate::centerline::attachment::attach;
 use crate::polyline::arc_lengths;
 use crate::terrain::{Disc, Terrain};
 use pairtrawl_geometry::{Point, Pose};
-use pairtrawl_model::{Circle, Scene};
+use pairtrawl_model::{Circle, Scene, Side};
 
-/// Steepest change of an offset per meter of centerline: circle borders are blended with it.
+/// Steepest change of an offset per length of centerline: circle borders are blended with it.
 const SLOPE: f64 = 0.45;
-/// Steepest change of the lead per meter of centerline.
+/// Steepest change of the lead per length of centerline.
 const LEAD_SLOPE: f64 = 0.6;
 /// Greatest angle between the line between the robots and the centerline's normal, rad.
 const MAX_STAGGER: f64 = 0.85;
 /// Share of the margin that each robot gives before they go one ahead of the other.
 const MARGIN_GIVEN: f64 = 0.8;
-/// Step in which the room beside the centerline is measured, m.
+/// Step in which the room beside the centerline is measured.
 const PROBE: f64 = 0.02;
 /// Largest product of curvature and inner offset: at 1 the inner robot would stand still.
 const INNER: f64 = 0.85;
-/// Length over which the offsets go over into those of the scene's ends, m.
+/// Length over which the offsets go over into those of the scene's ends.
 const END_BLEND: f64 = 1.0;
 /// Passes of the smoothing of the offsets.
 const ROUNDING: usize = 12;
-/// How far along the centerline an object is looked for around the place where its circle is visited, m.
+/// How far along the centerline an object is looked for around the place where its circle is visited.
 const WINDOW: f64 = 0.8;
 
 /// One object with the place where the pair takes it.
@@ -34,7 +34,7 @@ pub(crate) struct Visit {
     pub index: usize,
 }
 
-/// Offsets of both robots from the centerline, m, both counted positive outwards.
+/// Offsets of both robots from the centerline, both counted positive outwards.
 pub(crate) struct Band {
     pub left: Vec<f64>,
     pub right: Vec<f64>,
@@ -91,8 +91,8 @@ pub(crate) fn band(
     }
     rise(&s, SLOPE, &mut left);
     rise(&s, SLOPE, &mut right);
-    let mut room_left = room(terrain, centerline, 1.0, &left);
-    let mut room_right = room(terrain, centerline, -1.0, &right);
+    let mut room_left = room(terrain, centerline, Side::Left, &left);
+    let mut room_right = room(terrain, centerline, Side::Right, &right);
     lower(&s, &mut room_left);
     lower(&s, &mut room_right);
     for i in 0..n {
@@ -165,7 +165,7 @@ pub(crate) fn band(
     }
 }
 
-/// Rounds the corners that the slopes leave, over about 0.3 m.
+/// Rounds the corners that the slopes leave, over about 0.3.
 fn round(v: &mut [f64]) {
     for _ in 0..ROUNDING {
         let old = v.to_vec();
@@ -175,7 +175,7 @@ fn round(v: &mut [f64]) {
     }
 }
 
-/// Signed curvature at a pose, positive to the left, 1/m.
+/// Signed curvature at a pose, positive to the left.
 fn curvature(poses: &[Pose], s: &[f64], i: usize) -> f64 {
     let (a, b) = (i.saturating_sub(2), (i + 2).min(poses.len() - 1));
     let ds = s[b] - s[a];
@@ -205,14 +205,14 @@ fn lower(s: &[f64], v: &mut [f64]) {
 
 /// The farthest that a robot may drive on one side, up to what it wants and a little more; where its margin is nowhere
 /// kept, where it comes nearest to keeping it.
-fn room(terrain: &Terrain, centerline: &[Pose], side: f64, wanted: &[f64]) -> Vec<f64> {
+fn room(terrain: &Terrain, centerline: &[Pose], side: Side, wanted: &[f64]) -> Vec<f64> {
     let keep = terrain.pair.radius + terrain.pair.clearance;
     let most = 2.0 * terrain.pair.max_half;
     centerline
         .iter()
         .zip(wanted)
         .map(|(pose, wanted)| {
-            let normal = pose.forward().perp() * side;
+            let normal = pose.forward().perp() * side.sign();
             let center = pose.position();
             if terrain.distance(center) > wanted + 0.3 + keep {
                 return wanted + 0.3;

@@ -3,7 +3,7 @@
 use pairtrawl_geometry::{Point, Pose};
 use pairtrawl_model::Circle;
 
-/// Offsets of (left, right) robot from the centerline along its normal, m, left positive and right negative.
+/// Offsets of (left, right) robot from the centerline along its normal, left positive and right negative.
 ///
 /// Eq. 1 gives +-`half_separation`; eqs. 2 and 3 give the two points where the perpendicular through the centerline point
 /// cuts the circle. The outer two of the four are taken: both of the circle (case 1), one of each pair (case 2), or both of

@@ -8,18 +8,15 @@ mod tests;
 mod timing;
 mod tracks;
 
-use crate::RouteError;
-use crate::centerline::check_order;
+use crate::centerline::itinerary::check_order;
+use crate::error::RouteError;
 use crate::polyline::{resample, with_headings};
 use crate::terrain::Terrain;
 pub use lead::with_lead;
 use pairtrawl_geometry::{Point, Pose};
-use pairtrawl_model::{Circle, PairTrajectory, Scene};
+use pairtrawl_model::{Circle, PairTrajectory, Scene, Side};
 use pairtrawl_world::World;
-use tracks::Tracks;
-
-/// Spacing of the tracks before they are put on the clock, m.
-const SPACING: f64 = 0.05;
+use tracks::{SPACING, Tracks};
 
 /// The optimizer's start: N waypoints of both robots abreast on the sides of the centerline (eqs. 1 to 3, Fig. 3).
 ///
@@ -77,23 +74,23 @@ pub(crate) fn on_terrain(
     let visited: Vec<&Circle> = order.iter().map(|&i| &circles[i]).collect();
     let band = band::band(terrain, scene, &fine, &visited);
     // The robot that is ahead stands beside a later point of the centerline.
-    let side = |offsets: &[f64], sign: f64| -> Vec<Point> {
+    let track = |side: Side, offsets: &[f64]| -> Vec<Point> {
         let beside = |at: f64| {
             let at = at.clamp(0.0, (fine.len() - 1) as f64);
             let i = (at as usize).min(fine.len() - 2);
             let pose = fine[i].lerp(fine[i + 1], at - i as f64);
             let offset = offsets[i] + (offsets[i + 1] - offsets[i]) * (at - i as f64);
-            pose.position() + pose.forward().perp() * (sign * offset)
+            pose.position() + pose.forward().perp() * (side.sign() * offset)
         };
         band.lead
             .iter()
             .enumerate()
-            .map(|(i, lead)| beside(i as f64 + 0.5 * sign * lead / SPACING))
+            .map(|(i, lead)| beside(i as f64 + 0.5 * side.sign() * lead / SPACING))
             .collect()
     };
     let mut tracks = Tracks {
-        left: side(&band.left, 1.0),
-        right: side(&band.right, -1.0),
+        left: track(Side::Left, &band.left),
+        right: track(Side::Right, &band.right),
     };
     let last = fine.len() - 1;
     tracks.left[0] = scene.start.left.position();

@@ -1,5 +1,6 @@
 use super::*;
-use crate::centerline::{Itinerary, hybrid_a_star};
+use crate::centerline::hybrid_a_star;
+use crate::centerline::itinerary::Itinerary;
 use crate::terrain::tests::{box_distance, pair_pose, scene};
 use pairtrawl_geometry::wrap_angle;
 use pairtrawl_model::PairPose;

@@ -1,14 +1,16 @@
 //! One clock for both tracks: waypoints spaced so that neither robot outruns its step or its turn.
 
-use super::tracks::Tracks;
+use super::tracks::{SPACING, Tracks};
 use crate::polyline::near_angle;
 use pairtrawl_geometry::{Point, Pose};
 use pairtrawl_model::{PairTrajectory, Scene, default_step_time};
 
 /// Waypoints over the least number in which the longer path can be driven.
 const RESERVE: f64 = 1.3;
-/// Share of the direction abreast in a heading, m per step: decides only where a robot all but stands.
-const STANDING: f64 = 0.01;
+/// A step shorter than this part of the greatest one hardly has a direction: that abreast decides the heading then.
+const STANDING: f64 = 5.0;
+/// A segment of a track shorter than this part of the usual spacing has no direction.
+const TOO_SHORT: f64 = 0.04;
 
 /// N when nobody gives it: `ceil(1.3 longest / max_step) + 1`, and no fewer than the clock of the tighter robot needs.
 pub(crate) fn waypoint_count(tracks: &Tracks, scene: &Scene) -> usize {
@@ -34,7 +36,7 @@ fn clock(tracks: &Tracks, scene: &Scene) -> Vec<f64> {
         let (before, after) = (t[i] - t[i - 1], a);
         // Half of the turns at both ends of the segment; what is all but standing has no direction.
         let angle = |u: Point, v: Point| {
-            if u.norm().min(v.norm()) < 2e-3 {
+            if u.norm().min(v.norm()) < TOO_SHORT * SPACING {
                 0.0
             } else {
                 u.cross(v).atan2(u.dot(v)).abs()
@@ -76,21 +78,34 @@ pub(crate) fn sample(tracks: &Tracks, scene: &Scene, count: usize) -> PairTrajec
         .zip(&right)
         .map(|(l, r)| -(*l - *r).perp() / (*l - *r).norm().max(1e-9))
         .collect();
+    let standing = scene.planner.max_step / STANDING;
     PairTrajectory {
-        left: with_headings(&left, &normal, scene.start.left, scene.end.left),
-        right: with_headings(&right, &normal, scene.start.right, scene.end.right),
+        left: with_headings(&left, &normal, standing, scene.start.left, scene.end.left),
+        right: with_headings(
+            &right,
+            &normal,
+            standing,
+            scene.start.right,
+            scene.end.right,
+        ),
         step_time: default_step_time(&scene.robot, &scene.planner),
     }
 }
 
 /// Headings along the chords, continuous; the scene's own poses at both ends.
-fn with_headings(points: &[Point], normal: &[Point], start: Pose, end: Pose) -> Vec<Pose> {
+fn with_headings(
+    points: &[Point],
+    normal: &[Point],
+    standing: f64,
+    start: Pose,
+    end: Pose,
+) -> Vec<Pose> {
     let n = points.len();
     let mut poses = Vec::with_capacity(n);
     poses.push(start);
     let mut heading = start.heading;
     for i in 1..n - 1 {
-        let direction = (points[i + 1] - points[i - 1]) * 0.5 + normal[i] * STANDING;
+        let direction = (points[i + 1] - points[i - 1]) * 0.5 + normal[i] * standing;
         heading = near_angle(direction.angle(), heading);
         poses.push(Pose::at(points[i], heading));
     }

@@ -2,36 +2,35 @@
 //!
 //! Each iteration refreshes springs and solves one banded system per robot, as in the centerline's smoothing.
 
-use super::SPACING;
 use super::band::{Band, Visit};
 use crate::banded::Pentadiagonal;
 use crate::polyline::{arc_lengths, tangents};
 use crate::terrain::Terrain;
 use pairtrawl_geometry::{Point, Pose};
-use pairtrawl_model::Scene;
+use pairtrawl_model::{Scene, Side};
 
+/// Spacing of the tracks before they are put on the clock.
+pub(super) const SPACING: f64 = 0.05;
 const ITERATIONS: usize = 40;
-/// Bending stiffness, m^2, and tension relative to it.
+/// Bending stiffness, and tension relative to it.
 const BENDING: f64 = 0.02;
 const TENSION: f64 = 0.1;
 /// Share of the elastic energy that is the displacement's.
 const KEEP_SHAPE: f64 = 0.5;
-/// Inertia, 1/m^2: pulls towards the last position.
+/// Inertia: pulls towards the last position.
 const INERTIA: f64 = 1.0;
-/// Stiffness of the springs against obstacles, objects and bad separations, 1/m^2.
+/// Stiffness of the springs against obstacles, objects and bad separations.
 const KEEP: f64 = 60.0;
-/// Stiffness of the spring that keeps the robots abreast, 1/m^2.
+/// Stiffness of the spring that keeps the robots abreast.
 const ABREAST: f64 = 3.0;
-/// Least progress along the centerline as a share of the midpoint's, and the stiffness of its spring, 1/m^2.
+/// Least progress along the centerline as a share of the midpoint's, and the stiffness of its spring.
 const LEAST_PROGRESS: f64 = 0.2;
 const PROGRESS: f64 = 200.0;
-/// Kept beyond the margins, so that springs at rest hold them, m.
+/// Kept beyond the margins, so that springs at rest hold them.
 const SPARE: f64 = 0.02;
 
 /// Vertices on either side of a visit in which the robots stay on their own sides of the object.
 const WINDOW: usize = 30;
-/// Length over which a track turns into the heading of its end, m.
-const TURN_IN: f64 = 0.6;
 
 /// Both tracks, index by index abreast.
 pub(crate) struct Tracks {
@@ -63,9 +62,10 @@ impl Tracks {
             (&mut self.right, scene.start.right, scene.end.right),
         ];
         for (track, start, end) in ends {
-            turn_into(track, start.position(), start.forward());
+            let reach = terrain.pair.turning;
+            turn_into(track, start.position(), start.forward(), reach);
             track.reverse();
-            turn_into(track, end.position(), -end.forward());
+            turn_into(track, end.position(), -end.forward(), reach);
             track.reverse();
         }
         let reference = [self.left.clone(), self.right.clone()];
@@ -107,11 +107,12 @@ impl Tracks {
                 springs[0][i].add(ABREAST, slip);
                 springs[1][i].add(ABREAST, -slip);
             }
-            for (side, p) in [(0, l), (1, r)] {
+            for (side, p) in [(Side::Left, l), (Side::Right, r)] {
+                let spring = &mut springs[side.index()][i];
                 let (d, gradient) = terrain.distance_and_gradient(p);
                 let short = pair.radius + pair.clearance + SPARE - d;
                 if short > 0.0 {
-                    springs[side][i].add(KEEP, gradient * short.min(0.2));
+                    spring.add(KEEP, gradient * short.min(0.2));
                 }
                 for object in terrain.objects_near(p) {
                     let away = p - object.center;
@@ -124,7 +125,7 @@ impl Tracks {
                         v.object.center == object.center && i.abs_diff(v.index) <= WINDOW
                     };
                     if !band.visits.iter().any(is_visit) {
-                        springs[side][i].add(KEEP, away * (keep / distance - 1.0));
+                        spring.add(KEEP, away * (keep / distance - 1.0));
                     }
                 }
             }
@@ -145,8 +146,8 @@ impl Tracks {
             let keep = visit.object.radius + pair.radius + pair.clearance + SPARE;
             let window = visit.index.saturating_sub(WINDOW)..(visit.index + WINDOW + 1).min(n);
             for i in window {
-                for (side, p, outwards) in [(0, self.left[i], normal), (1, self.right[i], -normal)]
-                {
+                for (side, track) in Side::BOTH.into_iter().zip([&self.left, &self.right]) {
+                    let (p, outwards) = (track[i], normal * side.sign());
                     let r = p - visit.object.center;
                     let along = r.dot(normal.perp());
                     let offset = r.dot(outwards);
@@ -154,7 +155,7 @@ impl Tracks {
                         // Beyond the object's disc on the robot's own side.
                         let short = (keep * keep - along * along).sqrt() - offset;
                         if short > 0.0 && offset > -2.0 * keep {
-                            springs[side][i].add(KEEP, outwards * short.min(0.3));
+                            springs[side.index()][i].add(KEEP, outwards * short.min(0.3));
                         }
                     }
                 }
@@ -164,8 +165,8 @@ impl Tracks {
     }
 }
 
-/// Bends the beginning of a track so that it leaves `at` along `forward`: p += s (1 - s / S)^2 (forward - direction).
-fn turn_into(track: &mut [Point], at: Point, forward: Point) {
+/// Bends the beginning of a track, at most over the length `reach`, so that it leaves `at` along `forward`: p += s (1 - s / S)^2 (forward - direction).
+fn turn_into(track: &mut [Point], at: Point, forward: Point, reach: f64) {
     track[0] = at;
     let s = arc_lengths(track);
     let ahead = s.partition_point(|&s| s < 0.15).min(track.len() - 1);
@@ -174,7 +175,7 @@ fn turn_into(track: &mut [Point], at: Point, forward: Point) {
         return;
     }
     let correction = forward - chord / chord.norm();
-    let reach = TURN_IN.min(0.5 * s[track.len() - 1]);
+    let reach = reach.min(0.5 * s[track.len() - 1]);
     for (p, &s) in track.iter_mut().zip(&s).take_while(|(_, s)| **s < reach) {
         let rest = 1.0 - s / reach;
         *p += correction * (s * rest * rest);

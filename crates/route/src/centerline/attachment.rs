@@ -4,7 +4,7 @@ use pairtrawl_geometry::Point;
 
 /// Largest table for the exact attachment; longer paths with more goals are attached one goal after the other.
 const MAX_TABLE: usize = 4_000_000;
-/// How near a path passes a goal at least, for the search one by one, m.
+/// How near a path passes a goal at least, for the search one by one.
 const NEAR: f64 = 0.4;
 /// How far along the path an attachment may move between two iterations, as a share of the vertices and at least.
 const DRIFT: usize = 12;

@@ -1,62 +1,67 @@
 //! What a pose of the centerline costs: room for both robots, a free line between them, objects well inside or outside.
 
-use crate::terrain::Terrain;
+use crate::terrain::{PairMeasures, Terrain};
 use pairtrawl_geometry::{Point, Pose};
 
 /// How much is asked of the way. Stricter first; the planner walks down this list until it finds one.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Strictness {
-    /// Turning radius, m.
+    /// Turning radius.
     pub radius: f64,
     /// Least distance of the midpoint to obstacles, in robot radii.
     pub floor: f64,
-    /// Least distance of the points where the robots drive closest together, m.
+    /// Least distance of the points where the robots drive closest together.
     pub side_floor: f64,
-    /// How far from a circle's center the way may pass, m.
+    /// How far from a circle's center the way may pass.
     pub reach: f64,
 }
 
-/// From comfortable to barely possible: turning radius and reach first, then the room of a pair abreast.
-pub(crate) const LADDER: [Strictness; 5] = [
-    Strictness {
-        radius: 0.6,
-        floor: 1.0,
-        side_floor: 0.04,
-        reach: 0.12,
-    },
-    Strictness {
-        radius: 0.45,
-        floor: 1.0,
-        side_floor: 0.04,
-        reach: 0.12,
-    },
-    Strictness {
-        radius: 0.45,
-        floor: 1.0,
-        side_floor: 0.04,
-        reach: 0.3,
-    },
-    Strictness {
-        radius: 0.35,
-        floor: 0.8,
-        side_floor: -0.1,
-        reach: 0.3,
-    },
-    Strictness {
-        radius: 0.3,
-        floor: 0.5,
-        side_floor: f64::NEG_INFINITY,
-        reach: 0.5,
-    },
-];
+/// From comfortable to barely possible: turning radius and reach first, then the room of a pair abreast. The turning radius
+/// goes from the comfortable one down to half the usual separation, where the inner robot turns on the spot.
+pub(crate) fn ladder(pair: &PairMeasures) -> [Strictness; 5] {
+    let tightest = pair.half_separation;
+    let radius = |share: f64| tightest + share * (pair.turning - tightest);
+    [
+        Strictness {
+            radius: radius(1.0),
+            floor: 1.0,
+            side_floor: 0.04,
+            reach: 0.12,
+        },
+        Strictness {
+            radius: radius(0.5),
+            floor: 1.0,
+            side_floor: 0.04,
+            reach: 0.12,
+        },
+        Strictness {
+            radius: radius(0.5),
+            floor: 1.0,
+            side_floor: 0.04,
+            reach: 0.3,
+        },
+        Strictness {
+            radius: radius(1.0 / 6.0),
+            floor: 0.8,
+            side_floor: -0.1,
+            reach: 0.3,
+        },
+        Strictness {
+            radius: radius(0.0),
+            floor: 0.5,
+            side_floor: f64::NEG_INFINITY,
+            reach: 0.5,
+        },
+    ]
+}
 
-/// Extra cost per meter driven and meter of room missing for a robot at half the usual separation.
+/// Extra cost per length driven and length of room missing for a robot at half the usual separation.
 const NARROW: f64 = 4.0;
 /// The same where not even the least separation fits.
 const TOO_NARROW: f64 = 20.0;
-/// Extra cost per meter driven and meter that the band has to widen or move because of an object.
+/// Extra cost per length driven and length that the band has to widen or move because of an object.
 const OBJECT: f64 = 4.0;
-/// An object counts while it lies within this of the line between the robots, m.
+/// An object counts while it lies within this of the line between the robots.
 const ABREAST: f64 = 0.12;
 
 /// The terrain as the centerline sees it.
@@ -67,7 +72,7 @@ pub(crate) struct Corridor<'t> {
 }
 
 impl Corridor<'_> {
-    /// Cost per meter beyond 1, or `None` where the pair cannot be.
+    /// Cost per length beyond 1, or `None` where the pair cannot be.
     pub fn penalty(&self, pose: Pose) -> Option<f64> {
         self.penalty_at(pose.position(), pose.forward())
     }
@@ -131,7 +136,7 @@ mod tests {
         let terrain = Terrain::sample(&s, wall);
         let corridor = Corridor {
             terrain: &terrain,
-            strictness: LADDER[0],
+            strictness: ladder(&terrain.pair)[0],
         };
         let at = |x, y| corridor.penalty(Pose::new(x, y, 0.0));
         let (middle, track, outside) = (at(5.0, 3.0), at(5.0, 2.7), at(5.0, 2.3));

@@ -55,12 +55,12 @@ impl Dubins {
         best
     }
 
-    /// Its length, m.
+    /// Its length.
     pub fn length(&self) -> f64 {
         self.radius * self.pieces.iter().sum::<f64>()
     }
 
-    /// The pose after a length `s` in m; the heading is continuous along the path.
+    /// The pose after a length `s`; the heading is continuous along the path.
     pub fn at(&self, s: f64) -> Pose {
         let mut rest = s / self.radius;
         let mut pose = self.start;

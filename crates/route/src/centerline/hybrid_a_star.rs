@@ -4,11 +4,12 @@
 //! passed is chosen by what it costs before and after. The last leg ends with Dubins shots at the exact end pose. The
 //! heuristic is the fast-marching distance to the leg's goal. The result is smoothed as an elastic band.
 
-use super::corridor::{Corridor, LADDER};
+use super::corridor::{Corridor, ladder};
 use super::dubins::Dubins;
+use super::itinerary::Itinerary;
 use super::lattice::{BINS, Lattice, TURNING};
-use super::{Itinerary, smooth};
-use crate::RouteError;
+use super::smooth;
+use crate::error::RouteError;
 use crate::geodesic::{CostGrid, Geodesic};
 use crate::terrain::Terrain;
 use pairtrawl_geometry::{Point, Pose};
@@ -16,26 +17,27 @@ use pairtrawl_model::Scene;
 use pairtrawl_world::World;
 use std::cmp::Reverse;
 
-/// Arrivals this much dearer than the cheapest are still worth keeping for the next leg, m.
+/// Arrivals this much dearer than the cheapest are still worth keeping for the next leg.
 const SLACK: f64 = 1.6;
-/// How far beyond the leg's beginning the heuristic is known, m: the way may swing out that far.
+/// How far beyond the leg's beginning the heuristic is known: the way may swing out that far.
 const MARGIN: f64 = 4.0;
-/// Dubins shots at the end are tried from states nearer than this, m.
+/// Dubins shots at the end are tried from states nearer than this, and nearer than so many turning radii.
 const SHOT_RANGE: f64 = 4.0;
-/// Spacing at which shots are checked, m.
+const SHOT_RADII: f64 = 6.0;
+/// Spacing at which shots are checked.
 const SHOT_SPACING: f64 = 0.1;
 /// Expansions per leg, at most.
 const MAX_EXPANSIONS: usize = 400_000;
 
-/// The centerline: poses about 0.05 m apart from the start midpoint through the circles to the end midpoint.
+/// The centerline: poses about 0.05 apart from the start midpoint through the circles to the end midpoint.
 ///
-/// It passes every circle's center within about 0.1 m in the given order (further off in sharp corners, and where an
-/// obstacle leaves no other way), turns with a radius of about 0.6 m or, where that finds no way, down to 0.3 m, and
-/// begins and ends in the direction of a pair that stands abreast. Headings are continuous.
+/// It passes every circle's center within about 0.1 in the given order (further off in sharp corners, and where an
+/// obstacle leaves no other way), turns with the comfortable radius of the pair or, where that finds no way, down to half
+/// its separation, and begins and ends in the direction of a pair that stands abreast. Headings are continuous.
 ///
 /// # Errors
 /// [`RouteError::BadOrder`] when `order` is not a permutation of the circles, [`RouteError::NoPath`] when there is no
-/// way even for the smallest radius and margin.
+/// way even for the smallest radius and margin, [`RouteError::SearchLimit`] when none was found before the search ended.
 pub fn centerline(world: &World, scene: &Scene, order: &[usize]) -> Result<Vec<Pose>, RouteError> {
     let itinerary = Itinerary::new(&world.circles, scene, order)?;
     on_terrain(&Terrain::new(world, scene), &itinerary)
@@ -51,7 +53,7 @@ pub(crate) fn on_terrain(
         from: itinerary.start.position(),
         to: itinerary.end.position(),
     };
-    for strictness in LADDER {
+    for strictness in ladder(&terrain.pair) {
         match search(
             &Corridor {
                 terrain,
@@ -77,16 +79,14 @@ pub(crate) fn search(
     let mut seeds = vec![0u32];
     let mut from = itinerary.start.position();
     for &to in &itinerary.goals {
-        let arrivals = leg(&mut lattice, march, &seeds, to);
-        if arrivals.is_empty() {
-            return Err(RouteError::NoPath { from, to });
-        }
+        let arrivals =
+            leg(&mut lattice, march, &seeds, to).map_err(|ended| ended.into_error(from, to))?;
         seeds = lattice.finish_leg(&arrivals);
         from = to;
     }
     let to = itinerary.end.position();
     let (last, shot) = last_leg(&mut lattice, march, &seeds, itinerary.end)
-        .ok_or(RouteError::NoPath { from, to })?;
+        .map_err(|ended| ended.into_error(from, to))?;
     let mut poses = lattice.trace(last);
     poses.extend_from_slice(&shot[1..]);
     Ok(poses)
@@ -106,8 +106,42 @@ fn aim(lattice: &Lattice, march: &mut Geodesic, seeds: &[u32], goal: Point) {
     });
 }
 
-/// Searches one leg; returns the cheapest arrival of every heading, cheapest first.
-fn leg(lattice: &mut Lattice, march: &mut Geodesic, seeds: &[u32], goal: Point) -> Vec<u32> {
+/// How a search ended that did not find its goal.
+enum Ended {
+    /// It has seen every state that it can get to.
+    Exhausted,
+    /// It was given up.
+    Limit,
+}
+
+impl Ended {
+    fn into_error(self, from: Point, to: Point) -> RouteError {
+        match self {
+            Self::Exhausted => RouteError::NoPath { from, to },
+            Self::Limit => RouteError::SearchLimit {
+                from,
+                to,
+                states: MAX_EXPANSIONS,
+            },
+        }
+    }
+
+    fn after(expansions: usize) -> Self {
+        if expansions > MAX_EXPANSIONS {
+            Self::Limit
+        } else {
+            Self::Exhausted
+        }
+    }
+}
+
+/// Searches one leg; returns the cheapest arrival of every heading, cheapest first. Never empty.
+fn leg(
+    lattice: &mut Lattice,
+    march: &mut Geodesic,
+    seeds: &[u32],
+    goal: Point,
+) -> Result<Vec<u32>, Ended> {
     aim(lattice, march, seeds, goal);
     let reach = lattice.corridor.strictness.reach;
     let mut arrivals: [Option<(f64, u32)>; BINS] = [None; BINS];
@@ -138,7 +172,10 @@ fn leg(lattice: &mut Lattice, march: &mut Geodesic, seeds: &[u32], goal: Point) 
     }
     let mut found: Vec<(f64, u32)> = arrivals.into_iter().flatten().collect();
     found.sort_by(|a, b| a.0.total_cmp(&b.0).then(a.1.cmp(&b.1)));
-    found.into_iter().map(|f| f.1).collect()
+    if found.is_empty() {
+        return Err(Ended::after(expansions));
+    }
+    Ok(found.into_iter().map(|f| f.1).collect())
 }
 
 /// Searches the last leg; returns the node from which the final shot leaves, and the shot.
@@ -147,7 +184,8 @@ fn last_leg(
     march: &mut Geodesic,
     seeds: &[u32],
     end: Pose,
-) -> Option<(u32, Vec<Pose>)> {
+) -> Result<(u32, Vec<Pose>), Ended> {
+    let range = SHOT_RANGE.max(SHOT_RADII * lattice.corridor.strictness.radius);
     aim(lattice, march, seeds, end.position());
     let mut best: Option<(f64, u32, Vec<Pose>)> = None;
     let mut open = lattice.open(seeds, march);
@@ -161,7 +199,7 @@ fn last_leg(
             continue;
         }
         let (pose, cost) = (lattice.pose(n), lattice.node(n).cost);
-        if pose.position().distance(end.position()) < SHOT_RANGE {
+        if pose.position().distance(end.position()) < range {
             let shot = Dubins::new(pose, end, lattice.corridor.strictness.radius);
             if cost + shot.length() < bound {
                 let poses = shot.sample(SHOT_SPACING);
@@ -176,6 +214,7 @@ fn last_leg(
         lattice.expand(n, march, &mut open);
     }
     best.map(|b| (b.1, b.2))
+        .ok_or_else(|| Ended::after(expansions))
 }
 
 /// Cost of a sampled shot, or `None` when the pair does not fit. The end pose is the scene's: it is not judged.

@@ -12,13 +12,15 @@ use std::f64::consts::TAU;
 
 /// Headings of the lattice.
 pub(crate) const BINS: usize = 24;
-/// Edge of a cell, m.
+/// Finest edge of a cell; its part of the turning radius, so that a motion leaves its cell; most cells.
 const CELL: f64 = 0.1;
+const CELL_OF_RADIUS: f64 = 1.0 / 6.0;
+const MAX_CELLS: f64 = 1e9;
 /// Cells along the edge of a tile; only tiles that the search enters take memory.
 const TILE: usize = 16;
-/// Price of heading change, m/rad: straight beats wavy at equal length.
+/// Price of heading change, a length per rad: straight beats wavy at equal length.
 pub(crate) const TURNING: f64 = 0.05;
-/// Price of turning in the other direction than before, m.
+/// Price of turning in the other direction than before.
 const WAVERING: f64 = 0.02;
 /// The parent of the start.
 const NONE: u32 = u32::MAX;
@@ -95,6 +97,7 @@ pub(crate) struct Lattice<'c> {
     first_heading: f64,
     forward: [Point; BINS],
     primitives: Vec<Primitive>,
+    cell: f64,
     columns: usize,
     rows: usize,
     tile_columns: usize,
@@ -111,14 +114,19 @@ impl<'c> Lattice<'c> {
     pub fn new(corridor: &'c Corridor<'c>, start: Pose) -> Self {
         let step = TAU / BINS as f64;
         let size = corridor.terrain.max - corridor.terrain.min;
-        let columns = (size.x / CELL) as usize + 1;
-        let rows = (size.y / CELL) as usize + 1;
+        let radius = corridor.strictness.radius;
+        let cell = CELL
+            .max(CELL_OF_RADIUS * radius)
+            .max((size.x * size.y / MAX_CELLS).sqrt());
+        let columns = (size.x / cell) as usize + 1;
+        let rows = (size.y / cell) as usize + 1;
         let tile_columns = columns.div_ceil(TILE);
         Self {
             corridor,
             first_heading: start.heading,
             forward: std::array::from_fn(|bin| Point::unit(start.heading + step * bin as f64)),
-            primitives: primitives(corridor.strictness.radius, start.heading),
+            primitives: primitives(radius, start.heading),
+            cell,
             columns,
             rows,
             tile_columns,
@@ -185,7 +193,7 @@ impl<'c> Lattice<'c> {
 
     /// Tile and place in it of a position with a heading; `None` outside of the area.
     fn slot(&self, p: Point, bin: u8) -> Option<(usize, usize)> {
-        let c = (p - self.corridor.terrain.min) / CELL;
+        let c = (p - self.corridor.terrain.min) / self.cell;
         if c.x < 0.0 || c.y < 0.0 {
             return None;
         }

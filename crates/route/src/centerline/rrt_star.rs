@@ -6,11 +6,12 @@
 //! dynamic programming over Dubins paths, which put the pair's turning limit in, and the whole is smoothed like the
 //! result of the hybrid A*.
 
-use super::corridor::{Corridor, LADDER};
+use super::corridor::{Corridor, ladder};
 use super::dubins::Dubins;
 use super::hybrid_a_star::shot_price;
-use super::{Itinerary, smooth};
-use crate::RouteError;
+use super::itinerary::Itinerary;
+use super::smooth;
+use crate::error::RouteError;
 use crate::random::SplitMix;
 use crate::terrain::Terrain;
 use pairtrawl_geometry::{Point, Pose};
@@ -18,23 +19,25 @@ use pairtrawl_model::Scene;
 use pairtrawl_world::World;
 use std::f64::consts::{PI, TAU};
 
-/// Longest edge of a tree, m.
+/// Longest edge of a tree.
 const STEER: f64 = 1.0;
 /// Share of samples that are the goal while no way is known.
 const GOAL_BIAS: f64 = 0.05;
-/// Spacing at which edges and Dubins paths are checked, m.
+/// Spacing at which edges and Dubins paths are checked.
 const SPACING: f64 = 0.1;
 /// Headings tried at every corner.
 const HEADINGS: usize = 24;
-/// Corners nearer to each other than this are merged where the way allows, m.
+/// Corners nearer to each other than this are merged where the way allows.
 const CORNER_SPACING: f64 = 0.8;
+/// Half of the samples lie within this of the rectangle around the ends of a leg: in a wide area the rest is too sparse.
+const AROUND: f64 = 20.0;
 
 /// The centerline by informed RRT*: as [`super::hybrid_a_star::centerline`] returns it, from `seed` with `iterations`
 /// samples for each leg. More samples make shorter ways; a few hundred find one in the open, thousands in a maze.
 ///
 /// # Errors
-/// [`RouteError::BadOrder`] when `order` is not a permutation of the circles, [`RouteError::NoPath`] when a leg found no
-/// way within `iterations` samples even for the smallest radius and margin.
+/// [`RouteError::BadOrder`] when `order` is not a permutation of the circles, [`RouteError::SearchLimit`] when a leg found
+/// no way within `iterations` samples even for the smallest radius and margin.
 pub fn centerline(
     world: &World,
     scene: &Scene,
@@ -52,17 +55,18 @@ pub(crate) fn on_terrain(
     seed: u64,
     iterations: usize,
 ) -> Result<Vec<Pose>, RouteError> {
-    let mut failure = RouteError::NoPath {
+    let mut failure = RouteError::SearchLimit {
         from: itinerary.start.position(),
         to: itinerary.end.position(),
+        states: iterations,
     };
-    for strictness in LADDER {
+    for strictness in ladder(&terrain.pair) {
         let corridor = Corridor {
             terrain,
             strictness,
         };
         match corners(&corridor, itinerary, seed, iterations)
-            .and_then(|c| with_turns(&corridor, itinerary, &c))
+            .and_then(|c| with_turns(&corridor, itinerary, &c, iterations))
         {
             Ok(raw) => return Ok(smooth::smooth(terrain, itinerary, &raw)),
             Err(e) => failure = e,
@@ -88,7 +92,11 @@ fn corners(
     {
         let mut random = SplitMix::new(seed.wrapping_add((leg as u64) << 32));
         let way = Tree::new(corridor, from).grow(to, iterations, &mut random);
-        let way = way.ok_or(RouteError::NoPath { from, to })?;
+        let way = way.ok_or(RouteError::SearchLimit {
+            from,
+            to,
+            states: iterations,
+        })?;
         corners.extend_from_slice(&straighten(corridor, &way)[1..]);
         from = to;
     }
@@ -159,12 +167,21 @@ impl<'c> Tree<'c> {
     /// Grows towards `goal`; returns the best way found.
     fn grow(mut self, goal: Point, iterations: usize, random: &mut SplitMix) -> Option<Vec<Point>> {
         let root = self.points[0];
-        let size = self.corridor.terrain.max - self.corridor.terrain.min;
+        let (min, max) = (self.corridor.terrain.min, self.corridor.terrain.max);
+        let whole = (min, max - min);
+        let low = Point::new(root.x.min(goal.x), root.y.min(goal.y));
+        let high = Point::new(root.x.max(goal.x), root.y.max(goal.y));
+        let around = Point::new(AROUND, AROUND);
+        let (low, high) = (low - around, high + around);
+        let low = Point::new(low.x.max(min.x), low.y.max(min.y));
+        let high = Point::new(high.x.min(max.x), high.y.min(max.y));
+        let near_by = (low, high - low);
         let mut found = None;
         if edge(self.corridor, root, goal).is_some() {
             found = self.add(goal, 2.0 * root.distance(goal) + 1e-9);
         }
-        for _ in 0..iterations {
+        for i in 0..iterations {
+            let (corner, size) = if i % 2 == 0 { whole } else { near_by };
             let (sample, area) = match found {
                 Some(goal) => {
                     let (half_long, half_short) = self.ellipse(goal);
@@ -180,7 +197,7 @@ impl<'c> Tree<'c> {
                 None if random.unit() < GOAL_BIAS => (goal, size.x * size.y),
                 None => {
                     let p = Point::new(size.x * random.unit(), size.y * random.unit());
-                    (self.corridor.terrain.min + p, size.x * size.y)
+                    (corner + p, size.x * size.y)
                 }
             };
             let near = self.nearest(sample);
@@ -307,6 +324,7 @@ fn with_turns(
     corridor: &Corridor,
     itinerary: &Itinerary,
     corners: &[Point],
+    iterations: usize,
 ) -> Result<Vec<Pose>, RouteError> {
     let last = corners.len() - 1;
     let headings = |i: usize| -> Vec<f64> {
@@ -349,9 +367,10 @@ fn with_turns(
             stage.push(best);
         }
         if stage.iter().all(Option::is_none) {
-            return Err(RouteError::NoPath {
+            return Err(RouteError::SearchLimit {
                 from: corners[i - 1],
                 to: corners[i],
+                states: iterations,
             });
         }
         stages.push(stage);
@@ -384,7 +403,7 @@ pub(crate) fn leg_cost(
 ) -> Option<f64> {
     let corridor = Corridor {
         terrain,
-        strictness: LADDER[0],
+        strictness: ladder(&terrain.pair)[0],
     };
     let way = Tree::new(&corridor, from).grow(to, iterations, &mut SplitMix::new(5))?;
     way.windows(2).map(|w| edge(&corridor, w[0], w[1])).sum()

@@ -3,46 +3,47 @@
 //! minimize  1/2 int (alpha |p'|^2 + beta |p''|^2) ds + stiff springs to the circles' centers and away from obstacles,
 //! with both end poses fixed. Springs are refreshed and one linear system is solved per iteration.
 
-use super::Itinerary;
 use super::attachment::Attachment;
+use super::itinerary::Itinerary;
 use crate::banded::Pentadiagonal;
 use crate::polyline::{refine, resample, tangents, with_headings};
 use crate::terrain::Terrain;
 use pairtrawl_geometry::{Point, Pose};
 
-/// Spacing of the band's vertices, m.
+/// Spacing of the band's vertices.
 const SPACING: f64 = 0.1;
-/// Spacing of the result, m.
+/// Spacing of the result.
 const RESULT_SPACING: f64 = 0.05;
-/// Tension alpha, 1.
+/// Tension alpha.
 const TENSION: f64 = 0.5;
-/// Bending stiffness beta, m^2: sqrt(beta / alpha) is the radius in which a taut band rounds a corner.
+/// Bending stiffness beta: sqrt(beta / alpha) is the radius in which a taut band rounds a corner.
 const BENDING: f64 = 0.25;
-/// Inertia: pulls every vertex towards its last position, 1/m^2.
+/// Inertia: pulls every vertex towards its last position.
 const INERTIA: f64 = 3.0;
-/// Stiffness of the spring at a circle's center, 1/m.
+/// Stiffness of the spring at a circle's center.
 const GOAL: f64 = 60.0;
-/// Stiffness of the spring that makes room for the robots, 1/m^2.
+/// Stiffness of the spring that makes room for the robots.
 const ROOM: f64 = 150.0;
-/// Stiffness of the spring that keeps objects well inside or outside of the band, 1/m^2.
+/// Stiffness of the spring that keeps objects well inside or outside of the band.
 const OBJECT: f64 = 6.0;
-/// How near to a circle's center its spring is at rest, m: exact passage is not worth a sharp bend.
+/// How near to a circle's center its spring is at rest: exact passage is not worth a sharp bend.
 const GOAL_REST: f64 = 0.07;
-/// Tightest curvature that the band tolerates before it stiffens there, 1/m.
-const CURVATURE: f64 = 1.0 / 0.55;
+/// Radius of the tightest curvature that the band tolerates before it stiffens there, where 0.6 is comfortable.
+const TIGHTEST: f64 = 0.55;
 /// Factor by which it stiffens in an iteration, and stiffness at most.
 const STIFFEN: f64 = 1.5;
 const STIFFEST: f64 = 200.0;
 /// Vertices on either side that stiffen along: a bend must not just move to the next vertex.
 const SPREAD: usize = 1;
-/// Curvature at which the spring of a circle nearby yields, 1/m, by which factor per iteration, and up to which distance
-/// from the circle's center, m: in a sharp corner a circle is better taken off the middle of the band than by a pair that
+/// Radius of the curvature at which the spring of a circle nearby yields, where 0.6 is comfortable, by which factor per
+/// iteration, and up to which distance from the circle's center: in a sharp corner a circle is better taken off the middle of the band than by a pair that
 /// turns on the spot.
-const YIELD: f64 = 1.0 / 0.4;
+const YIELDING: f64 = 0.4;
+const COMFORTABLE: f64 = 0.6;
 const SOFTEN: f64 = 0.85;
 const FARTHEST: f64 = 0.25;
 const ITERATIONS: usize = 80;
-/// Turn within 0.8 m that makes a long bend, rad, and the stiffness that it begins with.
+/// Turn within 0.8 that makes a long bend, rad, and the stiffness that it begins with.
 const LONG_BEND: f64 = 0.8;
 const BEND_STIFFNESS: f64 = 15.0;
 
@@ -150,6 +151,8 @@ impl<'a> Band<'a> {
             .sum::<f64>()
             / (n - 1) as f64;
         let attachments = self.hold.follow(&self.points);
+        let wide = self.terrain.pair.turning / COMFORTABLE;
+        let (tightest, yielding) = (1.0 / (TIGHTEST * wide), 1.0 / (YIELDING * wide));
         let mut matrix = Pentadiagonal::zeros(n);
         for i in 0..n - 1 {
             matrix.add(i, [-1.0, 1.0, 0.0], TENSION / h);
@@ -160,12 +163,12 @@ impl<'a> Band<'a> {
             let [a, b, c] = [self.points[i], self.points[i + 1], self.points[i + 2]];
             let bend = a - b * 2.0 + c;
             let curvature = bend.norm() / (h * h);
-            if curvature > CURVATURE {
+            if curvature > tightest {
                 for k in i.saturating_sub(SPREAD)..(i + 3 + SPREAD).min(n) {
                     self.stiffness[k] = (self.stiffness[k] * STIFFEN).min(STIFFEST);
                 }
             }
-            if curvature > YIELD {
+            if curvature > yielding {
                 for (k, &at) in attachments.iter().enumerate() {
                     let miss = self.points[at].distance(self.itinerary.goals[k]);
                     if at.abs_diff(i + 1) <= 6 && miss < FARTHEST {
@@ -178,7 +181,7 @@ impl<'a> Band<'a> {
             // What is stiffer wants the bend that it has, or the tightest one that is allowed.
             let weight = BENDING * (self.stiffness[i + 1] - 1.0) / h.powi(3);
             matrix.add(i, DIFFERENCE, weight);
-            let allowed = bend * (CURVATURE / curvature.max(CURVATURE));
+            let allowed = bend * (tightest / curvature.max(tightest));
             for (k, difference) in DIFFERENCE.into_iter().enumerate() {
                 x[i + k] += weight * difference * allowed.x;
                 y[i + k] += weight * difference * allowed.y;

@@ -1,7 +1,10 @@
+use super::itinerary::{Itinerary, check_order};
 use super::*;
+use crate::error::RouteError;
 use crate::terrain::Terrain;
 use crate::terrain::tests::{box_distance, pair_pose, scene};
-use pairtrawl_geometry::wrap_angle;
+use pairtrawl_geometry::{Point, Pose, wrap_angle};
+use pairtrawl_model::Circle;
 
 fn circles(centers: &[[f64; 2]]) -> Vec<Circle> {
     let circle = |(i, &c): (usize, &[f64; 2])| Circle {

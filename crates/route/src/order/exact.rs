@@ -1,6 +1,6 @@
 //! Dynamic programming of Held and Karp, with the last two stops in the state because turns have a price.
 
-use super::{Place, Stops};
+use super::stops::{Place, Stops};
 
 /// The best order. Time O(2^n n^3), memory O(2^n n^2): meant for n <= 12.
 pub(crate) fn best(stops: &Stops) -> Vec<usize> {

@@ -2,7 +2,8 @@
 //! bits, then seeded perturbation by exchanging two neighboring runs (Or-3opt). Both ends stay fixed.
 
 use super::path::{Block, Path};
-use super::{SplitMix, Stops};
+use super::stops::Stops;
+use crate::random::SplitMix;
 use std::collections::VecDeque;
 
 /// Stops that a stop may be joined to.

@@ -1,7 +1,8 @@
 //! Visiting order: the open path through all circles with fixed ends that costs least.
 //!
 //! The cost of a path is its obstacle-aware length plus, at every stop, what turning costs a pair that cannot turn on
-//! the spot: `TURN_RADIUS alpha^3 / pi^2` for a turn by alpha, that is pi R for a reversal and next to nothing for a bend.
+//! the spot: `r alpha^3 / pi^2` with the comfortable turning radius r for a turn by alpha, that is pi r for a reversal and
+//! next to nothing for a bend.
 //! The headings of start and end take part.
 
 mod exact;
@@ -11,13 +12,11 @@ mod stops;
 #[cfg(test)]
 mod tests;
 
-use crate::RouteError;
-use crate::geodesic::CostGrid;
-use crate::random::SplitMix;
+use crate::error::RouteError;
 use crate::terrain::Terrain;
 use pairtrawl_model::Scene;
 use pairtrawl_world::World;
-pub(crate) use stops::{Place, Stops};
+use stops::Stops;
 
 /// Most circles for which the best order is found exactly.
 pub const EXACT_LIMIT: usize = 12;
@@ -53,7 +52,7 @@ pub(crate) fn orders_on(
     scene: &Scene,
     count: usize,
 ) -> Result<Vec<Vec<usize>>, RouteError> {
-    let stops = Stops::new(&CostGrid::new(terrain), centers, scene)?;
+    let stops = Stops::new(terrain, centers, scene)?;
     let best = if stops.count() <= EXACT_LIMIT {
         exact::best(&stops)
     } else {

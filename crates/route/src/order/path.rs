@@ -1,6 +1,6 @@
 //! A path through all stops that is rearranged in blocks, at a price known beforehand in constant time.
 
-use super::{Place, Stops};
+use super::stops::{Place, Stops};
 
 /// A run of positions of a path that moves as a whole, perhaps turned round.
 #[derive(Clone, Copy, Debug, PartialEq)]

@@ -1,11 +1,10 @@
-use crate::RouteError;
+use crate::error::RouteError;
 use crate::geodesic::{CostGrid, Geodesic};
+use crate::terrain::Terrain;
 use pairtrawl_geometry::Point;
 use pairtrawl_model::Scene;
 use std::f64::consts::{PI, TAU};
 
-/// Radius with which a reversal is priced, m.
-const TURN_RADIUS: f64 = 0.6;
 /// Up to this many stops every distance is marched for; beyond, only those to near stops.
 const FULL_LIMIT: usize = 40;
 /// Near stops that distances are marched for, beyond [`FULL_LIMIT`].
@@ -24,12 +23,19 @@ pub(crate) struct Stops {
     start_heading: f64,
     end_heading: f64,
     length: Vec<f64>,
+    /// Radius with which a reversal is priced.
+    turning: f64,
     /// `leave[i * m + j]`: angle in which the way from i to j leaves i, rad.
     leave: Vec<f32>,
 }
 
 impl Stops {
-    pub fn new(grid: &CostGrid, mut points: Vec<Point>, scene: &Scene) -> Result<Self, RouteError> {
+    pub fn new(
+        terrain: &Terrain,
+        mut points: Vec<Point>,
+        scene: &Scene,
+    ) -> Result<Self, RouteError> {
+        let grid = &CostGrid::new(terrain);
         let n = points.len();
         points.push(scene.start.midpoint());
         points.push(scene.end.midpoint());
@@ -37,6 +43,7 @@ impl Stops {
         let mut stops = Self {
             start_heading: scene.start.normal_heading(),
             end_heading: scene.end.normal_heading(),
+            turning: terrain.pair.turning,
             length: vec![f64::INFINITY; m * m],
             leave: vec![f32::NAN; m * m],
             points,
@@ -196,7 +203,7 @@ impl Stops {
         }
     }
 
-    /// Length of the way between two stops, m of open floor.
+    /// Length of the way between two stops, of open floor.
     pub fn length(&self, i: usize, j: usize) -> f64 {
         self.length[i * self.all() + j]
     }
@@ -206,7 +213,7 @@ impl Stops {
         f64::from(self.leave[i * self.all() + j])
     }
 
-    /// Price of turning at `b` on the way from `a` to `c`, m. `Outside` is only ever beside the start or the end.
+    /// Price of turning at `b` on the way from `a` to `c`, a length. `Outside` is only ever beside the start or the end.
     pub fn turn(&self, a: Place, b: usize, c: Place) -> f64 {
         let arrive = match a {
             Place::Stop(a) => self.leave(b, a) + PI,
@@ -217,7 +224,7 @@ impl Stops {
             Place::Outside => self.end_heading,
         };
         let alpha = (leave - arrive - TAU * ((leave - arrive) / TAU).round()).abs();
-        TURN_RADIUS * alpha.powi(3) / (PI * PI)
+        self.turning * alpha.powi(3) / (PI * PI)
     }
 
     /// Cost of a whole order of circles.

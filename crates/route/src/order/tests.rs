@@ -1,5 +1,7 @@
 use super::path::{Block, Path};
 use super::*;
+use crate::error::RouteError;
+use crate::random::SplitMix;
 use crate::terrain::tests::{box_distance, pair_pose, scene};
 use pairtrawl_geometry::Point;
 
@@ -23,7 +25,7 @@ fn stops(n: usize, seed: u64, size: f64) -> Stops {
         pair_pose(size - 1.0, 1.0, -1.0),
     );
     let terrain = Terrain::sample(&s, |p| box_distance(p, wall));
-    Stops::new(&CostGrid::new(&terrain), centers, &s).unwrap()
+    Stops::new(&terrain, centers, &s).unwrap()
 }
 
 fn least_cost_by_brute_force(stops: &Stops, order: &mut Vec<usize>, k: usize) -> f64 {

@@ -1,5 +1,6 @@
+use super::error::RosMapError;
+use super::metadata::{MapMetadata, Mode};
 use super::raster::{Pixel, pixels, read_image};
-use super::{MapMetadata, Mode, RosMapError};
 use pairtrawl_model::OccupancyMap;
 
 /// The gray that map_saver writes for unknown cells, of 255.

@@ -1,4 +1,4 @@
-use super::RosMapError;
+use super::error::RosMapError;
 use pairtrawl_geometry::Pose;
 use serde::Deserialize;
 

@@ -1,5 +1,5 @@
-use super::RosMapError;
-use crate::MAX_CELLS;
+use super::error::RosMapError;
+use crate::grid::MAX_CELLS;
 use image::codecs::png::PngDecoder;
 use image::codecs::pnm::{PnmDecoder, PnmSubtype, SampleEncoding};
 use image::{DynamicImage, ImageDecoder, ImageError, Limits};
