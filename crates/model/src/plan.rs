@@ -35,6 +35,16 @@ pub struct Plan {
     pub warnings: Vec<String>,
 }
 
+impl Plan {
+    /// When each waypoint is passed, s: by the time law, or at every `step_time` where there is none.
+    pub fn times(&self) -> Vec<f64> {
+        match self.time_law.len() == self.trajectory.len() {
+            true => self.time_law.clone(),
+            false => self.trajectory.times(),
+        }
+    }
+}
+
 /// Which scene a plan is for.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct SceneReference {

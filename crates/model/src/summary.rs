@@ -3,7 +3,7 @@
 
 use crate::{
     Area, Circle, Claim, Cost, Object, Obstacle, PairPose, PairTrajectory, Rehearsal, Robot,
-    SolverReport,
+    SolverReport, TrackingStatistics,
 };
 use pairtrawl_geometry::{Point, Pose};
 
@@ -28,6 +28,8 @@ pub struct Summary {
     pub baseline: PairTrajectory,
     /// What the robots drive.
     pub trajectory: PairTrajectory,
+    /// When they pass each waypoint of `trajectory`, s.
+    pub times: Vec<f64>,
     /// Driven length of the left robot, m.
     pub left_length: f64,
     /// Driven length of the right robot, m.
@@ -198,8 +200,10 @@ pub struct Event {
 pub struct ExecutionSummary {
     /// Name of the controller.
     pub controller: String,
-    /// What came of each trial.
+    /// What came of each trial that was finished.
     pub trials: Vec<TrialSummary>,
+    /// How many trials were wanted.
+    pub trials_wanted: usize,
     /// Index into `trials` of the one that `frames` and `panels` show.
     pub shown: usize,
     /// That trial in motion.
@@ -219,14 +223,10 @@ pub struct TrialSummary {
     pub seed: u64,
     /// Objects gathered.
     pub gathered: usize,
-    /// Root mean square of the left robot's position error, m.
-    pub left_rms: f64,
-    /// Greatest position error of the left robot, m.
-    pub left_max: f64,
-    /// Root mean square of the right robot's position error, m.
-    pub right_rms: f64,
-    /// Greatest position error of the right robot, m.
-    pub right_max: f64,
+    /// True when the pair came to the end of its way with every object inside the net.
+    pub complete: bool,
+    /// Position error of the (left, right) robot.
+    pub tracking: [TrackingStatistics; 2],
     /// J on the driven path.
     pub cost: Cost,
     /// The first thing that went wrong; `None`: nothing did.

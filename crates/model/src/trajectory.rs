@@ -43,6 +43,11 @@ impl PairTrajectory {
         }
     }
 
+    /// When each waypoint is passed, s.
+    pub fn times(&self) -> Vec<f64> {
+        (0..self.len()).map(|i| i as f64 * self.step_time).collect()
+    }
+
     /// Time from the first waypoint to the last, s.
     pub fn duration(&self) -> f64 {
         self.step_time * self.len().saturating_sub(1) as f64

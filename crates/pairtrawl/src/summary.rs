@@ -9,7 +9,7 @@ mod rings;
 pub use claims::claim_summaries;
 pub use execution::summarize_execution;
 
-use pairtrawl_geometry::{Segment, SweptLine};
+use pairtrawl_geometry::{Point, Segment, SweptLine};
 use pairtrawl_model::{
     Event, PairTrajectory, Plan, RehearsalRecord, Scene, SceneOutline, StageTime, Summary,
 };
@@ -26,8 +26,9 @@ pub fn summarize(
     rehearsal: Option<&RehearsalRecord>,
 ) -> Summary {
     let trajectory = &plan.trajectory;
+    let times = plan.times();
     let (left_length, right_length) = trajectory.path_lengths();
-    let mut panels = panels::of_plan(scene, plan);
+    let mut panels = panels::of_plan(scene, plan, &times);
     panels.extend(
         rehearsal
             .into_iter()
@@ -58,26 +59,27 @@ pub fn summarize(
         trajectory: trajectory.clone(),
         left_length,
         right_length,
-        duration: trajectory.duration(),
+        duration: times.last().copied().unwrap_or(0.0),
         swept_at: scene
             .objects
             .iter()
-            .map(|o| swept_at(trajectory, o.position))
+            .map(|o| swept_at(trajectory, &times, o.position))
             .collect(),
         panels,
         cost: plan.cost,
-        claims: claim_summaries(&plan.certificate, trajectory.step_time),
+        claims: claim_summaries(&plan.certificate, &times),
         rehearsal: plan.rehearsal.clone(),
         solver: plan.solver.clone(),
         stages: stages.to_vec(),
         warnings,
         frames: rehearsal.and_then(|r| frames::of(&r.frames, events(r), scene)),
         execution: None,
+        times,
     }
 }
 
 /// When the line between the robots first passes over a point, s.
-fn swept_at(trajectory: &PairTrajectory, point: pairtrawl_geometry::Point) -> Option<f64> {
+fn swept_at(trajectory: &PairTrajectory, times: &[f64], point: Point) -> Option<f64> {
     let steps = trajectory.left.windows(2).zip(trajectory.right.windows(2));
     steps.enumerate().find_map(|(i, (l, r))| {
         let line = SweptLine {
@@ -85,7 +87,7 @@ fn swept_at(trajectory: &PairTrajectory, point: pairtrawl_geometry::Point) -> Op
             right: Segment::new(r[0].position(), r[1].position()),
         };
         let instant = line.coverage(point).instant?;
-        Some((i as f64 + instant) * trajectory.step_time)
+        Some(times[i] + instant * (times[i + 1] - times[i]))
     })
 }
 
@@ -101,7 +103,7 @@ fn events(record: &RehearsalRecord) -> Vec<Event> {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use pairtrawl_geometry::{Point, Pose};
+    use pairtrawl_geometry::Pose;
     use pairtrawl_model::{
         Area, Cost, Footprint, NetSpec, Object, Obstacle, PairPose, Rehearsal, RehearsalFrame,
         SolverReport, SolverStatus,

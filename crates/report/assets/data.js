@@ -1,5 +1,5 @@
 "use strict";
-// The page's data, unpacked. Lengths are packed in 0.1 mm, angles in mrad, times in 0.1 ms, each as differences.
+// The page's data, unpacked. Lengths are packed in `lengthUnit` (m), angles in mrad, times in 0.1 ms, each as differences.
 
 const data = JSON.parse(document.getElementById("data").textContent);
 
@@ -8,8 +8,8 @@ const unpack = (packed, unit) => {
   return Float64Array.from(packed, (difference) => (sum += difference) * unit);
 };
 const unpackPoses = ([x, y, angle]) => ({
-  x: unpack(x, 1e-4),
-  y: unpack(y, 1e-4),
+  x: unpack(x, data.lengthUnit),
+  y: unpack(y, data.lengthUnit),
   angle: angle ? unpack(angle, 1e-3) : null,
 });
 
@@ -77,6 +77,13 @@ const onWidth = (element, callback) => {
     width = element.clientWidth;
     callback();
   }).observe(element);
+};
+
+// Width of a page of paper without its margins, px: charts are drawn anew for it, so that their text keeps its size.
+const PAPER = 670;
+const onPrint = (before, after) => {
+  window.addEventListener("beforeprint", before);
+  window.addEventListener("afterprint", after);
 };
 
 const svgElement = (name, attributes, parent) => {

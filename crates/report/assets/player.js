@@ -92,9 +92,19 @@ const player = (() => {
   return {
     setTime,
     setPlaying,
+    setMotion,
     listen: (listener) => listeners.push(listener),
     start: () => {
       window.addEventListener("hashchange", readFragment);
+      // On paper the map shows how it ended.
+      let before = null;
+      onPrint(
+        () => {
+          before = state.time;
+          setTime(duration);
+        },
+        () => setTime(before),
+      );
       // The physics tells more than the plan, where there is any.
       setMotion(motions[motions.length - 1].name);
       readFragment();

@@ -65,6 +65,9 @@
   const classOf = (panel, line) =>
     line.role === "other" ? `other other${panel.lines.filter((l) => l.role === "other").indexOf(line) % 4}` : line.role;
 
+  // Robots' curves are told apart by letters and dashes as well as by color.
+  const letterOf = (line) => ({ left: "L ", right: "R " })[line.role] || "";
+
   const build = (panel) => {
     const figure = document.createElement("figure");
     figure.className = "card plot";
@@ -77,7 +80,7 @@
       entry.className = `entry ${classOf(panel, line)}`;
       const key = document.createElement("i");
       const name = document.createElement("span");
-      name.textContent = line.label;
+      name.textContent = letterOf(line) + line.label;
       const value = document.createElement("b");
       entry.append(key, name, value);
       caption.appendChild(entry);
@@ -126,9 +129,9 @@
     return plot;
   };
 
-  const layOut = (plot) => {
+  const layOut = (plot, room) => {
     const { svg, panel, range } = plot;
-    const width = Math.max(180, svg.parentElement.clientWidth - 24);
+    const width = Math.max(180, room);
     plot.width = width - margin.left - margin.right;
     svg.setAttribute("width", width);
     svg.setAttribute("viewBox", `0 0 ${width} ${height}`);
@@ -160,7 +163,9 @@
     }
     for (const line of panel.lines) svgElement("path", { class: `curve ${classOf(panel, line)}`, d: pathOf(panel, line, px, py) }, svg);
     plot.cursor = svgElement("path", { class: "cursor" }, svg);
-    plot.dots = panel.lines.map((line) => svgElement("circle", { class: `dot ${classOf(panel, line)}`, r: 3.5 }, svg));
+    // The right robot's mark is a diamond.
+    const mark = (line) => (line.role === "right" ? "M0-5L5 0L0 5L-5 0Z" : "M-3.5 0a3.5 3.5 0 1 0 7 0a3.5 3.5 0 1 0-7 0Z");
+    plot.dots = panel.lines.map((line) => svgElement("path", { class: `dot ${classOf(panel, line)}`, d: mark(line) }, svg));
   };
 
   let now = 0;
@@ -175,20 +180,19 @@
         plot.readouts[k].textContent = formatNumber(value, plot.decimals);
         const dot = plot.dots[k];
         dot.style.display = Number.isFinite(value) ? "" : "none";
-        if (Number.isFinite(value)) {
-          dot.setAttribute("cx", x);
-          dot.setAttribute("cy", plot.py(value));
-        }
+        if (Number.isFinite(value)) dot.setAttribute("transform", `translate(${x} ${plot.py(value)})`);
       });
     }
   };
 
   panels.forEach(build);
-  onWidth(host, () => {
-    plots.forEach(layOut);
+  const layOutAll = (room) => {
+    for (const plot of plots) layOut(plot, room || plot.svg.parentElement.clientWidth - 24);
     refresh();
-  });
-  plots.forEach(layOut);
+  };
+  onWidth(host, () => layOutAll());
+  layOutAll();
+  onPrint(() => layOutAll(PAPER / 2 - 20), () => layOutAll());
   player.listen(({ time }) => {
     now = time;
     refresh();

@@ -2,9 +2,30 @@
 
 use crate::svg::Rounded;
 
+/// The exponent of the greatest power of ten that is not above a value; 0 when the value is not positive and finite.
+pub(crate) fn decade(value: f64) -> i32 {
+    if !(value.is_finite() && value > 0.0) {
+        return 0;
+    }
+    let mut exponent = 0;
+    while power_of_ten(exponent + 1) <= value {
+        exponent += 1;
+    }
+    while power_of_ten(exponent) > value {
+        exponent -= 1;
+    }
+    exponent
+}
+
+/// 10 to an integer.
+pub(crate) fn power_of_ten(exponent: i32) -> f64 {
+    let power = (0..exponent.abs()).fold(1.0, |p, _| 10.0 * p);
+    if exponent < 0 { 1.0 / power } else { power }
+}
+
 /// The largest of 1, 2, 5 times a power of ten that is not above `bound` (positive and finite).
 pub(crate) fn nice_below(bound: f64) -> f64 {
-    let power = 10f64.powf(bound.log10().floor());
+    let power = power_of_ten(decade(bound));
     // 1e-9: a bound that is a nice number but for rounding is taken itself.
     [10.0, 5.0, 2.0]
         .iter()
@@ -41,7 +62,7 @@ impl Ticks {
         let count = ((max / step + 1e-9).floor() - first).max(0.0) as usize + 1;
         Self {
             values: (0..count).map(|i| (first + i as f64) * step).collect(),
-            decimals: (-step.log10().floor()).max(0.0) as usize,
+            decimals: usize::try_from(-decade(step * (1.0 + 1e-9))).unwrap_or(0),
         }
     }
 
@@ -86,6 +107,23 @@ mod tests {
                 ticks.values[0] - step < min && ticks.values[ticks.values.len() - 1] + step > max
             );
         }
+    }
+
+    #[test]
+    fn decades_are_exact() {
+        for (value, exponent) in [
+            (1.0, 0),
+            (0.24, -1),
+            (1000.0, 3),
+            (999.9, 2),
+            (1e-3, -3),
+            (5e-6, -6),
+        ] {
+            assert_eq!(decade(value), exponent, "{value}");
+        }
+        assert_eq!(decade(0.0), 0);
+        assert_eq!(decade(f64::NAN), 0);
+        assert_eq!(power_of_ten(-4), 1e-4);
     }
 
     #[test]

@@ -1,9 +1,11 @@
 //! The map: what is drawn where, for the picture and for the page.
 
+mod labels;
 mod layers;
 mod legend;
 mod projection;
 
+pub(crate) use labels::labels;
 pub(crate) use layers::Layer;
 pub(crate) use legend::{Sign, sign};
 pub(crate) use projection::{Projection, View};

@@ -1,13 +1,16 @@
 //! The page: one HTML document that needs nothing else.
 
+mod certificate;
 mod data;
-mod tables;
+mod making;
+mod outcome;
+mod table;
 
 use crate::map::{self, Layer, Projection, View};
 use crate::svg::{Rounded, Writer, escape};
 use crate::words;
 use pairtrawl_geometry::Point;
-use pairtrawl_model::{Rehearsal, Summary};
+use pairtrawl_model::Summary;
 
 const STYLE: &str = include_str!("../assets/page.css");
 const SCRIPTS: [&str; 4] = [
@@ -17,7 +20,7 @@ const SCRIPTS: [&str; 4] = [
     include_str!("../assets/plots.js"),
 ];
 
-/// One self-contained HTML page about a plan, light or dark as the reader prefers, without any external resource: the
+/// One self-contained HTML page about a plan and what became of it, failures first, light or dark as the reader prefers, without any external resource: the
 /// map in motion, curves over time, certificate, cost and everything else in the summary. The fragment `#t=12.5` opens
 /// it at a time, `#t=12.5&show=rehearsal` shows the rehearsal there (or `run`).
 pub fn report_html(summary: &Summary) -> String {
@@ -28,23 +31,24 @@ pub fn report_html(summary: &Summary) -> String {
     w.open("body", &[]);
     header(&mut w, summary);
     w.open("main", &[]);
-    tables::warnings(&mut w, summary);
+    outcome::failures(&mut w, summary);
+    warnings(&mut w, summary);
     player(&mut w, summary);
     map_section(&mut w, summary);
+    outcome::trials(&mut w, summary);
     w.open(
         "section",
         &[("id", &"plots"), ("aria-label", &"Curves over time")],
     );
     w.close();
     w.open("div", &[("class", &"columns")]);
-    tables::certificate(&mut w, summary);
+    certificate::card(&mut w, summary);
     w.open("div", &[]);
-    tables::cost(&mut w, summary);
-    tables::making(&mut w, summary);
+    making::cost(&mut w, summary);
+    making::card(&mut w, summary);
     w.close();
     w.close();
-    tables::events(&mut w, summary);
-    tables::trials(&mut w, summary);
+    outcome::events(&mut w, summary);
     w.close();
     w.raw("<script type=\"application/json\" id=\"data\">");
     w.raw(&data::embedded(summary));
@@ -76,20 +80,18 @@ fn header(w: &mut Writer, summary: &Summary) {
     w.open("header", &[]);
     w.text("h1", &[], &summary.title);
     w.text("p", &[("class", &"facts")], &words::facts(summary));
-    w.open("p", &[("class", &"badges")]);
-    let valid = !summary.claims.is_empty() && summary.claims.iter().all(|c| c.claim.holds);
-    let proof = if valid {
-        ("good", "\u{2713} certified")
-    } else {
-        ("bad", "\u{2717} not certified")
-    };
-    let rehearsal = match summary.rehearsal {
-        Rehearsal::Passed => ("good", "\u{2713} rehearsal passed"),
-        Rehearsal::Failed { .. } => ("bad", "\u{2717} rehearsal failed"),
-        Rehearsal::Skipped => ("plain", "not rehearsed"),
-    };
-    for (class, text) in [proof, rehearsal] {
-        w.text("span", &[("class", &format_args!("badge {class}"))], text);
+    outcome::badges(w, summary);
+    w.close();
+}
+
+fn warnings(w: &mut Writer, summary: &Summary) {
+    if summary.warnings.is_empty() {
+        return;
+    }
+    table::open_card(w, "warnings", "Warnings");
+    w.open("ul", &[]);
+    for warning in &summary.warnings {
+        w.text("li", &[], &warning.to_string());
     }
     w.close();
     w.close();
@@ -183,7 +185,7 @@ fn map_section(w: &mut Writer, summary: &Summary) {
     let height = scale * view.height();
     let size = format!("0 0 {} {}", Rounded(WIDTH, 1), Rounded(height, 1));
     let label = format!(
-        "Map of {}: scene, trajectories and the moving pair",
+        "Map of {}: scene, trajectories and the moving pair. Plus and minus zoom, arrow keys move a zoomed map, 0 shows everything.",
         summary.title
     );
     w.open(
@@ -192,6 +194,7 @@ fn map_section(w: &mut Writer, summary: &Summary) {
             ("id", &"map"),
             ("viewBox", &size),
             ("role", &"img"),
+            ("tabindex", &"0"),
             ("aria-label", &label),
         ],
     );
@@ -216,13 +219,18 @@ fn map_section(w: &mut Writer, summary: &Summary) {
     for layer in Layer::ALL {
         if layer.is_present(summary) {
             w.open("g", &[("id", &format_args!("layer-{}", layer.key()))]);
-            layer.draw(w, summary, &Projection::meters());
+            layer.draw(
+                w,
+                summary,
+                &Projection::meters(summary.outline.robot.radius),
+            );
             w.close();
         }
     }
     w.open("g", &[("id", &"duo")]);
     w.close();
     w.close();
+    labels(w, summary, &view, scale);
     w.close();
     w.close();
     w.open(
@@ -230,9 +238,13 @@ fn map_section(w: &mut Writer, summary: &Summary) {
         &[("id", &"zoom"), ("role", &"group"), ("aria-label", &"Zoom")],
     );
     for (id, label, sign) in [
-        ("zoom-in", "Zoom in", "+"),
-        ("zoom-out", "Zoom out", "\u{2212}"),
-        ("zoom-fit", "Show everything", "\u{2922}"),
+        ("zoom-in", "Zoom in (wheel, or + on the map)", "+"),
+        ("zoom-out", "Zoom out (wheel, or - on the map)", "\u{2212}"),
+        (
+            "zoom-fit",
+            "Show everything (double click, or 0 on the map)",
+            "\u{2922}",
+        ),
     ] {
         let attributes: crate::svg::Attributes = &[
             ("type", &"button"),
@@ -246,6 +258,35 @@ fn map_section(w: &mut Writer, summary: &Summary) {
     w.close();
     toggles(w, summary);
     w.raw("<noscript><p>The map moves and the curves appear when scripts are allowed; the numbers below are complete without.</p></noscript>\n");
+    w.close();
+}
+
+/// One group a layer; the script moves the labels when the map is zoomed.
+fn labels(w: &mut Writer, summary: &Summary, view: &View, scale: f64) {
+    w.open("g", &[("id", &"labels")]);
+    let labels = map::labels(summary, view, scale);
+    for layer in Layer::ALL {
+        let mut own = labels.iter().filter(|l| l.layer == layer).peekable();
+        if own.peek().is_none() {
+            continue;
+        }
+        w.open("g", &[("id", &format_args!("labels-{}", layer.key()))]);
+        for label in own {
+            let x = scale * (label.anchor.x - view.min.x) + label.offset.x;
+            let y = scale * (view.max.y - label.anchor.y) + label.offset.y;
+            let attributes: crate::svg::Attributes = &[
+                ("class", &label.class),
+                ("x", &Rounded(x, 1)),
+                ("y", &Rounded(y, 1)),
+                ("data-x", &label.anchor.x),
+                ("data-y", &label.anchor.y),
+                ("data-dx", &Rounded(label.offset.x, 1)),
+                ("data-dy", &Rounded(label.offset.y, 1)),
+            ];
+            w.text("text", attributes, &label.text);
+        }
+        w.close();
+    }
     w.close();
 }
 

@@ -5,6 +5,7 @@ use crate::svg::{Rounded, Writer};
 use crate::words;
 use pairtrawl_geometry::Point;
 use pairtrawl_model::Summary;
+use pairtrawl_model::numbers::LengthUnit;
 
 /// Greatest width and height of the map itself, px.
 const MOST: (f64, f64) = (1000.0, 760.0);
@@ -17,18 +18,20 @@ const AXIS: f64 = 50.0;
 const ENTRY: (f64, f64) = (158.0, 22.0);
 
 /// A standalone picture of a plan in SVG: obstacles, objects, circles, centerline, baseline, both trajectories, the
-/// floor that the net sweeps, start and end poses, with axes in meters, a scale bar and a legend below the map.
+/// floor that the net sweeps, start and end poses, with axes, a scale bar and a legend below the map. Left and right are
+/// told apart by letters and dashes as well as by color; objects are numbered as in the scene, circles by their visits.
 /// Light or dark as the viewer prefers.
 pub fn plan_svg(summary: &Summary) -> String {
     let view = View::of(&summary.outline);
+    let unit = view.unit();
     let scale = (MOST.0 / view.width()).min(MOST.1 / view.height());
     let map = Frame {
         left: LEFT,
         top: TOP,
         width: scale * view.width(),
         height: scale * view.height(),
-        x: (view.min.x, view.max.x),
-        y: (view.min.y, view.max.y),
+        x: (unit.per_meter * view.min.x, unit.per_meter * view.max.x),
+        y: (unit.per_meter * view.min.y, unit.per_meter * view.max.y),
     };
     let width = (map.right() + RIGHT).max(520.0);
     let entries = legend(summary);
@@ -78,7 +81,8 @@ pub fn plan_svg(summary: &Summary) -> String {
             ("height", &map_height),
         ],
     );
-    map.draw_axes(&mut w, "x (m)", "y (m)");
+    let [x_name, y_name] = ["x", "y"].map(|axis| format!("{axis} ({})", unit.name));
+    map.draw_axes(&mut w, &x_name, &y_name);
     w.open("g", &[("clip-path", &"url(#map)")]);
     let to = Projection::pixels(&view, scale, Point::new(map.left, map.top));
     for layer in Layer::ALL {
@@ -87,6 +91,17 @@ pub fn plan_svg(summary: &Summary) -> String {
             layer.draw(&mut w, summary, &to);
             w.close();
         }
+    }
+    for label in map::labels(summary, &view, scale) {
+        let (x, y) = (
+            to.x_offset(label.anchor.x, label.offset.x),
+            to.y_offset(label.anchor.y, label.offset.y + 4.0),
+        );
+        w.text(
+            "text",
+            &[("class", &label.class), ("x", &x), ("y", &y)],
+            &label.text,
+        );
     }
     w.close();
 
@@ -110,7 +125,8 @@ fn scale_bar(w: &mut Writer, map: &Frame, scale: f64) {
     let d = format!("M{} {}v6H{}v-6", n(left), n(y - 6.0), n(right));
     w.empty("path", &[("class", &"scale"), ("d", &d)]);
     let (x, y) = (n(left - 6.0), n(y));
-    let label = format!("{} m", Rounded(length, 3));
+    let unit = LengthUnit::of(length);
+    let label = format!("{} {}", Rounded(unit.per_meter * length, 3), unit.name);
     w.text(
         "text",
         &[("x", &x), ("y", &y), ("text-anchor", &"end")],
@@ -122,13 +138,18 @@ fn scale_bar(w: &mut Writer, map: &Frame, scale: f64) {
 fn legend(summary: &Summary) -> Vec<(&'static str, Sign, &'static str)> {
     let all = [
         (Layer::Obstacles, "obstacle", Sign::Patch, "obstacle"),
-        (Layer::Objects, "object", Sign::Square(8.0), "object"),
-        (Layer::Circles, "circle", Sign::Disc(6.0), "object circle"),
-        (Layer::Paths, "left path", Sign::Line, "left robot"),
-        (Layer::Paths, "right path", Sign::Line, "right robot"),
+        (
+            Layer::Objects,
+            "object",
+            Sign::Square(8.0),
+            "object, number",
+        ),
+        (Layer::Circles, "circle", Sign::Disc(6.0), "circle, visit"),
+        (Layer::Paths, "left path", Sign::Line, "left robot (L)"),
+        (Layer::Paths, "right path", Sign::Line, "right robot (R)"),
         (Layer::Sweep, "sweep", Sign::Patch, "swept by the net"),
-        (Layer::Ends, "start", Sign::Robots, "start"),
-        (Layer::Ends, "end", Sign::Robots, "end"),
+        (Layer::Ends, "start", Sign::Robots, "start, L and R"),
+        (Layer::Ends, "end", Sign::Robots, "end, L and R"),
         (Layer::Centerline, "centerline", Sign::Line, "centerline"),
         (
             Layer::Baseline,

@@ -1,72 +1,45 @@
-//! Numbers and verdicts in words.
+//! Facts and verdicts in words.
 
-use pairtrawl_model::{Cost, Rehearsal, SolverStatus, Summary};
+use pairtrawl_model::{Cost, Rehearsal, SolverReport, SolverStatus, Summary, numbers};
 
 /// The facts that head a picture or a page.
 pub(crate) fn facts(summary: &Summary) -> String {
+    let chosen = match summary.net_length_chosen {
+        true => " (chosen)",
+        false => "",
+    };
     format!(
-        "net {:.3} m{} \u{b7} paths {:.2} + {:.2} m \u{b7} {} to drive \u{b7} J {}",
-        summary.net_length,
-        if summary.net_length_chosen {
-            " (chosen)"
-        } else {
-            ""
-        },
-        summary.left_length,
-        summary.right_length,
-        duration(summary.duration),
+        "net {}{chosen} \u{b7} paths {} and {} \u{b7} {} to drive \u{b7} J {}",
+        numbers::length(summary.net_length),
+        numbers::length(summary.left_length),
+        numbers::length(summary.right_length),
+        numbers::duration(summary.duration),
         cost(summary.cost.total()),
     )
 }
 
-/// Seconds as people say them.
-pub(crate) fn duration(seconds: f64) -> String {
-    match seconds {
-        s if !s.is_finite() => "\u{2013}".to_owned(),
-        s if s < 0.1 => format!("{:.1} ms", 1e3 * s),
-        s if s < 10.0 => format!("{s:.2} s"),
-        s if s < 99.95 => format!("{s:.1} s"),
-        s => {
-            let s = s.round() as u64;
-            format!("{} min {:02} s", s / 60, s % 60)
-        }
-    }
+/// A number's text with a true minus sign.
+pub(crate) fn typeset(number: &str) -> String {
+    number.replace('-', "\u{2212}")
 }
 
-/// A cost with a separator between thousands.
+/// A cost with a thin space between thousands.
 pub(crate) fn cost(value: f64) -> String {
-    if !value.is_finite() || value.abs() >= 1e9 {
-        return format!("{value:.3e}");
-    }
-    let text = format!("{:.1}", value.abs());
-    let (whole, fraction) = text.split_once('.').unwrap_or((&text, "0"));
+    let text = typeset(&numbers::cost(value));
+    let whole = text.split(['.', 'e']).next().unwrap_or(&text);
+    let digits = whole.chars().filter(char::is_ascii_digit).count();
     let mut out = String::new();
-    for (i, digit) in whole.chars().enumerate() {
-        if i > 0 && (whole.len() - i).is_multiple_of(3) {
-            out.push('\u{202f}');
+    let mut left = digits;
+    for (i, c) in text.char_indices() {
+        if i < whole.len() && c.is_ascii_digit() {
+            if left < digits && left.is_multiple_of(3) {
+                out.push('\u{202f}');
+            }
+            left -= 1;
         }
-        out.push(digit);
+        out.push(c);
     }
-    let sign = if value < -0.05 { "\u{2212}" } else { "" };
-    format!("{sign}{out}.{fraction}")
-}
-
-/// A signed margin with its unit, with three significant digits.
-pub(crate) fn margin(value: f64, unit: &str) -> String {
-    if !value.is_finite() {
-        return "\u{2013}".to_owned();
-    }
-    let size = value.abs();
-    let number = match size {
-        0.0 => "0".to_owned(),
-        s if !(1e-4..1e5).contains(&s) => format!("{s:.1e}"),
-        s if s < 1.0 => format!("{s:.4}"),
-        s if s < 100.0 => format!("{s:.3}"),
-        s => format!("{s:.1}"),
-    };
-    let sign = if value < 0.0 { "\u{2212}" } else { "" };
-    let space = if unit.is_empty() { "" } else { " " };
-    format!("{sign}{number}{space}{unit}")
+    out
 }
 
 /// The terms of J with their symbols.
@@ -79,29 +52,54 @@ pub(crate) fn terms(cost: &Cost) -> [(&'static str, &'static str, f64); 4] {
     ]
 }
 
+/// The objects in the order in which their circles are visited: `1: object 4 → 2: objects 0, 3`. Empty without an order.
+pub(crate) fn visits(summary: &Summary) -> String {
+    let circles = summary.order.iter().filter_map(|i| summary.circles.get(*i));
+    let visits = circles.enumerate().map(|(i, circle)| {
+        let list: Vec<String> = circle.objects.iter().map(usize::to_string).collect();
+        let noun = if list.len() == 1 { "object" } else { "objects" };
+        format!("{}: {noun} {}", i + 1, list.join(", "))
+    });
+    visits.collect::<Vec<_>>().join(" \u{2192} ")
+}
+
 /// How the optimizer ended.
-pub(crate) fn status(status: SolverStatus) -> &'static str {
-    match status {
+pub(crate) fn solver(solver: &SolverReport) -> String {
+    let status = match solver.status {
         SolverStatus::Converged => "converged",
         SolverStatus::LocallyInfeasible => "locally infeasible",
         SolverStatus::IterationLimit => "iteration limit reached",
         SolverStatus::TimeLimit => "time limit reached",
         SolverStatus::NumericalTrouble => "numerical trouble",
-        SolverStatus::NotStated => "not stated",
+        SolverStatus::NotStated => return "not stated".to_owned(),
+    };
+    let mut words = format!("{status} after {} iterations", solver.iterations);
+    if solver.kkt_error.is_finite() {
+        words += &format!(", KKT error {}", numbers::residual(solver.kkt_error));
     }
+    if solver.seconds.is_finite() {
+        words += &format!(", {}", numbers::duration(solver.seconds));
+    }
+    words
 }
 
 /// What the rehearsal said.
-pub(crate) fn rehearsal(rehearsal: &Rehearsal) -> String {
-    match rehearsal {
+pub(crate) fn rehearsal(summary: &Summary) -> String {
+    match &summary.rehearsal {
         Rehearsal::Passed => "passed: nothing was touched and every object came home".to_owned(),
         Rehearsal::Failed { event, time, place } => {
-            format!(
-                "failed at {time:.1} s, ({:.2}, {:.2}) m: {event}",
-                place.x, place.y
-            )
+            let (time, place) = (numbers::duration(*time), numbers::place(*place));
+            format!("failed after {time} at {place}: {event}")
         }
-        Rehearsal::Skipped => "not rehearsed".to_owned(),
+        Rehearsal::Skipped => no_rehearsal(summary).to_owned(),
+    }
+}
+
+/// Why there is no verdict of a rehearsal: of a plan that does not even name its solver nothing is known.
+pub(crate) fn no_rehearsal(summary: &Summary) -> &'static str {
+    match summary.solver.status {
+        SolverStatus::NotStated => "rehearsal not stated",
+        _ => "not rehearsed",
     }
 }
 
@@ -110,18 +108,29 @@ mod tests {
     use super::*;
 
     #[test]
-    fn numbers_read_well() {
+    fn thousands_are_kept_apart() {
         assert_eq!(cost(5588.04), "5\u{202f}588.0");
         assert_eq!(cost(1_234_567.0), "1\u{202f}234\u{202f}567.0");
-        assert_eq!(cost(-12.34), "\u{2212}12.3");
-        assert_eq!(cost(0.0), "0.0");
-        assert_eq!(margin(0.031_24, "m"), "0.0312 m");
-        assert_eq!(margin(-0.5, "rad"), "\u{2212}0.5000 rad");
-        assert_eq!(margin(0.0, ""), "0");
-        assert_eq!(margin(3e-7, "m"), "3.0e-7 m");
-        assert_eq!(duration(0.012), "12.0 ms");
-        assert_eq!(duration(81.34), "81.3 s");
-        assert_eq!(duration(248.0), "4 min 08 s");
-        assert_eq!(duration(99.97), "1 min 40 s");
+        assert_eq!(cost(-112.34), "\u{2212}112.3");
+        assert_eq!(cost(0.0), "0");
+        assert_eq!(cost(2.5e12), "2.500e12");
+        assert_eq!(cost(f64::NAN), "\u{2013}");
+    }
+
+    #[test]
+    fn what_is_not_known_is_not_made_up() {
+        let unknown = SolverReport {
+            status: SolverStatus::NotStated,
+            iterations: 0,
+            kkt_error: f64::NAN,
+            seconds: 0.0,
+        };
+        assert_eq!(solver(&unknown), "not stated");
+        let known = SolverReport {
+            status: SolverStatus::Converged,
+            iterations: 31,
+            ..unknown
+        };
+        assert_eq!(solver(&known), "converged after 31 iterations, 0 s");
     }
 }

@@ -191,7 +191,9 @@ fn the_embedded_data_are_the_trajectories() {
             .all(Value::is_null)
     );
     let unit = data["panels"][1]["unit"].as_f64().unwrap();
-    assert!((data["panels"][1]["lines"][0]["v"][3].as_f64().unwrap() * unit - 0.03).abs() < 1e-9);
+    // Lengths are shown in the unit that suits them.
+    assert_eq!(data["panels"][1]["measure"], "mm");
+    assert!((data["panels"][1]["lines"][0]["v"][3].as_f64().unwrap() * unit - 30.0).abs() < 1e-9);
 }
 
 #[test]

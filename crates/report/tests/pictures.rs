@@ -106,25 +106,32 @@ fn the_picture_of_a_small_plan() {
     <path class="right path" d="M337.22 546.78L347.69 546.78L358.17 546.78"/>
     </g>
     <g class="ends"><g class="robot left start"><circle class="body" cx="337.22" cy="337.22" r="50.3"/>
-    <path class="nose" d="M337.22 337.22L387.51 337.22"/>
+    <path class="nose" d="M364.88 337.22L387.51 337.22"/>
     <circle class="hitch" cx="293.83" cy="337.22" r="6.04"/>
     </g>
     <g class="robot right start"><circle class="body" cx="337.22" cy="546.78" r="50.3"/>
-    <path class="nose" d="M337.22 546.78L387.51 546.78"/>
+    <path class="nose" d="M364.88 546.78L387.51 546.78"/>
     <circle class="hitch" cx="293.83" cy="546.78" r="6.04"/>
     </g>
     <g class="robot left end"><circle class="body" cx="358.17" cy="337.22" r="50.3"/>
-    <path class="nose" d="M358.17 337.22L408.47 337.22"/>
+    <path class="nose" d="M385.84 337.22L408.47 337.22"/>
     <circle class="hitch" cx="314.79" cy="337.22" r="6.04"/>
     </g>
     <g class="robot right end"><circle class="body" cx="358.17" cy="546.78" r="50.3"/>
-    <path class="nose" d="M358.17 546.78L408.47 546.78"/>
+    <path class="nose" d="M385.84 546.78L408.47 546.78"/>
     <circle class="hitch" cx="314.79" cy="546.78" r="6.04"/>
     </g>
     </g>
     <g class="objects"><circle class="object" cx="379.13" cy="442" r="8.38"/>
     <path class="object" d="M414.76 467.15L427.33 467.15L427.33 458.77L414.76 458.77Z"/>
     </g>
+    <text class="letter" x="337.22" y="341.22">L</text>
+    <text class="letter" x="337.22" y="550.78">R</text>
+    <text class="letter" x="358.17" y="341.22">L</text>
+    <text class="letter" x="358.17" y="550.78">R</text>
+    <text class="visit" x="450.54" y="404.02">1</text>
+    <text class="index" x="379.13" y="429.62">0</text>
+    <text class="index" x="433.33" y="466.96">1</text>
     </g>
     "##);
 }

@@ -18,7 +18,7 @@ pub fn check(arguments: &CheckArguments) -> Result<Done, Failure> {
         overrides: &plan.overrides,
     };
     let certificate = pairtrawl::check(&loaded.scene, &loaded.reference, &candidate);
-    let claims = claim_summaries(&certificate, trajectory.step_time);
+    let claims = claim_summaries(&certificate, &trajectory.times());
 
     let valid = certificate.is_valid();
     let failed = claims.iter().filter(|summary| !summary.claim.holds).count();

@@ -17,6 +17,7 @@ pub fn summarize_execution(scene: &Scene, execution: &Execution) -> ExecutionSum
     ExecutionSummary {
         controller: execution.controller.name().to_owned(),
         trials: trials.iter().map(trial_summary).collect(),
+        trials_wanted: execution.trials_wanted,
         shown,
         frames: trial.and_then(|t| frames::of(&t.frames, events(t), scene)),
         panels: trial.map_or(Vec::new(), |t| panels(scene, &t.samples)),
@@ -35,14 +36,11 @@ fn events(trial: &Trial) -> Vec<Event> {
 }
 
 fn trial_summary(trial: &Trial) -> TrialSummary {
-    let [left, right] = trial.tracking;
     TrialSummary {
         seed: trial.seed,
         gathered: trial.gathered_count(),
-        left_rms: left.rms,
-        left_max: left.max,
-        right_rms: right.rms,
-        right_max: right.max,
+        complete: trial.gathered_everything(),
+        tracking: trial.tracking,
         cost: trial.cost,
         event: events(trial).into_iter().next(),
     }

@@ -8,15 +8,14 @@ use pairtrawl_model::{
 };
 
 /// The curves that a plan decides.
-pub(super) fn of_plan(scene: &Scene, plan: &Plan) -> Vec<Panel> {
+pub(super) fn of_plan(scene: &Scene, plan: &Plan, times: &[f64]) -> Vec<Panel> {
     let t = &plan.trajectory;
-    let times: Vec<f64> = (0..t.len()).map(|i| i as f64 * t.step_time).collect();
     let panel =
         |key: &str, title: &str, unit: &str, sampling, lines, limits: &[(&str, f64)]| Panel {
             key: key.to_owned(),
             title: title.to_owned(),
             unit: unit.to_owned(),
-            times: times.clone(),
+            times: times.to_vec(),
             sampling,
             lines,
             limits: limits

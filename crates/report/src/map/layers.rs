@@ -191,8 +191,9 @@ fn ribbon(w: &mut Writer, side: &str, ribbon: Option<&Ribbon>, to: &Projection) 
 fn robot_at(w: &mut Writer, class: &str, pose: Pose, robot: &Robot, to: &Projection) {
     w.open("g", &[("class", &format_args!("robot {class}"))]);
     circle(w, "body", pose.position(), robot.radius, to);
-    let nose = pose.position() + pose.forward() * robot.radius;
-    path(w, "nose", to.path([pose.position(), nose]));
+    // The middle is kept free for the robot's letter.
+    let nose = [0.55, 1.0].map(|share| pose.position() + pose.forward() * (share * robot.radius));
+    path(w, "nose", to.path(nose));
     circle(
         w,
         "hitch",

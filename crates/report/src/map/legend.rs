@@ -86,14 +86,14 @@ impl Layer {
     pub fn label(self) -> &'static str {
         match self {
             Self::Obstacles => "obstacles",
-            Self::Sweep => "swept by the net",
-            Self::Circles => "object circles",
+            Self::Sweep => "swept by the net, pale: to come",
+            Self::Circles => "circles by visit",
             Self::Centerline => "centerline",
             Self::Baseline => "baseline, left and right",
             Self::Ribbons => "driven, left and right",
-            Self::Paths => "paths, left and right",
+            Self::Paths => "paths, left (L) and right (R)",
             Self::Ends => "start and end",
-            Self::Objects => "objects",
+            Self::Objects => "objects by number",
         }
     }
 }

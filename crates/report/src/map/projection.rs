@@ -1,6 +1,8 @@
+use crate::axis::decade;
 use crate::svg::Rounded;
 use pairtrawl_geometry::{Bounds, Point};
 use pairtrawl_model::SceneOutline;
+use pairtrawl_model::numbers::LengthUnit;
 
 /// The part of the floor that is drawn.
 #[derive(Clone, Copy, Debug)]
@@ -42,6 +44,11 @@ impl View {
     pub fn height(&self) -> f64 {
         self.max.y - self.min.y
     }
+
+    /// The unit of its axes.
+    pub fn unit(&self) -> LengthUnit {
+        LengthUnit::of(self.width().max(self.height()))
+    }
 }
 
 /// From the map frame to the coordinates of a drawing.
@@ -65,13 +72,13 @@ impl Projection {
         }
     }
 
-    /// To meters as they are, y up, to the millimeter: for a group that is transformed as a whole.
-    pub fn meters() -> Self {
+    /// To meters as they are, y up, to better than a hundredth of a robot: for a group that is transformed as a whole.
+    pub fn meters(robot_radius: f64) -> Self {
         Self {
             origin: Point::ZERO,
             scale: 1.0,
             up: 1.0,
-            decimals: 3,
+            decimals: usize::try_from(2 - decade(robot_radius)).unwrap_or(0),
         }
     }
 
@@ -81,6 +88,16 @@ impl Projection {
 
     pub fn y(&self, y: f64) -> Rounded {
         Rounded(self.origin.y + self.up * self.scale * y, self.decimals)
+    }
+
+    /// As [`Self::x`], and so far to the right of it.
+    pub fn x_offset(&self, x: f64, offset: f64) -> Rounded {
+        Rounded(self.x(x).0 + offset, self.decimals)
+    }
+
+    /// As [`Self::y`], and so far below it on a screen.
+    pub fn y_offset(&self, y: f64, offset: f64) -> Rounded {
+        Rounded(self.y(y).0 + offset, self.decimals)
     }
 
     pub fn length(&self, length: f64) -> Rounded {

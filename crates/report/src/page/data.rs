@@ -1,14 +1,20 @@
 //! The data that a page carries for its script, as compact JSON.
 
+use crate::axis::{decade, power_of_ten};
 use crate::map::View;
 use pairtrawl_geometry::{Point, Pose};
+use pairtrawl_model::numbers::LengthUnit;
 use pairtrawl_model::{Footprint, Frames, Panel, Role, Sampling, Summary};
 use serde_json::{Value, json};
 
-/// Resolutions of packed numbers: lengths 0.1 mm, angles 1 mrad, times 0.1 ms. The script knows them too.
-const LENGTH: f64 = 1e-4;
+/// Resolutions of packed angles, rad, and times, s. The script knows them too.
 const ANGLE: f64 = 1e-3;
 const TIME: f64 = 1e-4;
+
+/// Resolution of packed lengths, m: better than a thousandth of a robot's radius.
+fn length_unit(robot_radius: f64) -> f64 {
+    power_of_ten(decade(robot_radius) - 3)
+}
 
 /// JSON that may stand in a script element: no `<` opens or closes anything there.
 pub(super) fn embedded(summary: &Summary) -> String {
@@ -18,19 +24,25 @@ pub(super) fn embedded(summary: &Summary) -> String {
 fn data(summary: &Summary) -> Value {
     let view = View::of(&summary.outline);
     let plan = &summary.trajectory;
-    let times: Vec<f64> = (0..plan.len()).map(|i| i as f64 * plan.step_time).collect();
+    let unit = length_unit(summary.outline.robot.radius);
+    let axis = view.unit();
     let mut motions = vec![json!({
         "name": "plan",
-        "t": packed(times.iter().copied(), TIME),
-        "left": poses(plan.left.iter()),
-        "right": poses(plan.right.iter()),
+        "t": packed(summary.times.iter().copied(), TIME),
+        "left": poses(plan.left.iter(), unit),
+        "right": poses(plan.right.iter(), unit),
     })];
-    motions.extend(summary.frames.as_ref().map(|f| motion("rehearsal", f)));
+    motions.extend(
+        summary
+            .frames
+            .as_ref()
+            .map(|f| motion("rehearsal", f, unit)),
+    );
     let execution = summary.execution.as_ref();
     motions.extend(
         execution
             .and_then(|e| e.frames.as_ref())
-            .map(|f| motion("run", f)),
+            .map(|f| motion("run", f, unit)),
     );
     let mut time_lists = Vec::new();
     let panels: Vec<Value> = summary
@@ -57,7 +69,9 @@ fn data(summary: &Summary) -> Value {
         })
         .collect();
     json!({
-        "view": [round(view.min.x), round(view.min.y), round(view.max.x), round(view.max.y)],
+        "view": [view.min.x, view.min.y, view.max.x, view.max.y],
+        "axis": {"name": axis.name, "perMeter": axis.per_meter},
+        "lengthUnit": unit,
         "radius": summary.outline.robot.radius,
         "hitch": summary.outline.robot.hitch,
         "motions": motions,
@@ -67,38 +81,38 @@ fn data(summary: &Summary) -> Value {
     })
 }
 
-fn motion(name: &str, frames: &Frames) -> Value {
+fn motion(name: &str, frames: &Frames, unit: f64) -> Value {
     // Transposed: one list per coordinate of each net point and object, whose differences in time are small.
     let nodes = frames.net.iter().map(Vec::len).min().unwrap_or(0);
     let net: Vec<Value> = (0..nodes)
-        .map(|k| points(frames.net.iter().map(|net| net[k])))
+        .map(|k| points(frames.net.iter().map(|net| net[k]), unit))
         .collect();
     let count = frames.objects.iter().map(Vec::len).min().unwrap_or(0);
     let objects: Vec<Value> = (0..count)
-        .map(|k| poses(frames.objects.iter().map(|o| &o[k])))
+        .map(|k| poses(frames.objects.iter().map(|o| &o[k]), unit))
         .collect();
     json!({
         "name": name,
         "t": packed(frames.times.iter().copied(), TIME),
-        "left": poses(frames.left.iter()),
-        "right": poses(frames.right.iter()),
+        "left": poses(frames.left.iter(), unit),
+        "right": poses(frames.right.iter(), unit),
         "net": net,
         "objects": objects,
     })
 }
 
-fn poses<'a>(poses: impl Iterator<Item = &'a Pose> + Clone) -> Value {
+fn poses<'a>(poses: impl Iterator<Item = &'a Pose> + Clone, unit: f64) -> Value {
     json!([
-        packed(poses.clone().map(|p| p.x), LENGTH),
-        packed(poses.clone().map(|p| p.y), LENGTH),
+        packed(poses.clone().map(|p| p.x), unit),
+        packed(poses.clone().map(|p| p.y), unit),
         packed(poses.map(|p| p.heading), ANGLE),
     ])
 }
 
-fn points(points: impl Iterator<Item = Point> + Clone) -> Value {
+fn points(points: impl Iterator<Item = Point> + Clone, unit: f64) -> Value {
     json!([
-        packed(points.clone().map(|p| p.x), LENGTH),
-        packed(points.map(|p| p.y), LENGTH),
+        packed(points.clone().map(|p| p.x), unit),
+        packed(points.map(|p| p.y), unit),
     ])
 }
 
@@ -116,21 +130,32 @@ fn panel(panel: &Panel, time_lists: &mut Vec<Vec<f64>>) -> Value {
             .filter(|v| v.is_finite())
     };
     let greatest = values().fold(0.0, |m: f64, v| m.max(v.abs()));
+    // Lengths are shown in the unit that suits them.
+    let (measure, factor) = match panel.unit.as_str() {
+        "m" => {
+            let unit = LengthUnit::of(greatest);
+            (unit.name, unit.per_meter)
+        }
+        other => (other, 1.0),
+    };
     // Five significant digits of the greatest value.
-    let unit = 10f64.powi(greatest.max(1e-9).log10().floor() as i32 - 4);
+    let unit = power_of_ten(decade((factor * greatest).max(1e-9)) - 4);
     let lines: Vec<Value> = panel
         .lines
         .iter()
-        .map(|l| json!({"label": l.label, "role": role(l.role), "v": numbers(&l.values, unit)}))
+        .map(|l| {
+            let values = l.values.iter().map(|v| factor * v);
+            json!({"label": l.label, "role": role(l.role), "v": numbers(values, unit)})
+        })
         .collect();
     let limits: Vec<Value> = panel
         .limits
         .iter()
-        .map(|l| json!({"label": l.label, "value": l.value}))
+        .map(|l| json!({"label": l.label, "value": factor * l.value}))
         .collect();
     json!({
         "title": panel.title,
-        "measure": panel.unit,
+        "measure": measure,
         "t": index,
         "steps": panel.sampling == Sampling::Step,
         "unit": unit,
@@ -166,15 +191,10 @@ fn packed(values: impl Iterator<Item = f64>, unit: f64) -> Value {
 }
 
 /// Multiples of a unit; null where there is no number.
-fn numbers(values: &[f64], unit: f64) -> Value {
+fn numbers(values: impl Iterator<Item = f64>, unit: f64) -> Value {
     values
-        .iter()
         .map(|v| v.is_finite().then_some((v / unit).round() as i64))
         .collect()
-}
-
-fn round(v: f64) -> f64 {
-    (v * 1e4).round() / 1e4
 }
 
 #[cfg(test)]
@@ -184,7 +204,7 @@ mod tests {
     #[test]
     fn differences_add_up_to_the_rounded_numbers() {
         let values = [1.234_56, 1.234_44, f64::NAN, -2.0, -2.000_04];
-        let Value::Array(list) = packed(values.into_iter(), LENGTH) else {
+        let Value::Array(list) = packed(values.into_iter(), length_unit(0.24)) else {
             panic!("a list")
         };
         let mut sum = 0;

@@ -80,6 +80,7 @@ pub fn summary(steps: usize) -> Summary {
         duration: trajectory.duration(),
         swept_at: vec![Some(1.0), None],
         panels: panels(steps),
+        times: trajectory.times(),
         trajectory,
         cost: Cost {
             smoothness: 1.0,
@@ -214,16 +215,28 @@ pub fn with_motion(mut summary: Summary, count: usize, nodes: usize) -> Summary 
     let trial = |seed, gathered| TrialSummary {
         seed,
         gathered,
-        left_rms: 0.004,
-        left_max: 0.01,
-        right_rms: 0.005,
-        right_max: 0.02,
+        complete: gathered == 2,
+        tracking: [
+            TrackingStatistics {
+                rms: 0.004,
+                max: 0.01,
+                settled_rms: 0.003,
+                settled_max: 0.009,
+            },
+            TrackingStatistics {
+                rms: 0.005,
+                max: 0.02,
+                settled_rms: 0.004,
+                settled_max: 0.008,
+            },
+        ],
         cost: summary.cost,
         event: None,
     };
     summary.execution = Some(ExecutionSummary {
         controller: "mrac".to_owned(),
         trials: vec![trial(1, 2), trial(2, 1)],
+        trials_wanted: 2,
         shown: 0,
         frames: Some(frames.clone()),
         panels: vec![Panel {
