@@ -1,5 +1,9 @@
 use crate::TOLERANCE;
 use pairtrawl_model::{Claim, ClaimId, Overrides, SceneReference};
+use pairtrawl_reference::Reference;
+
+/// A time law that is stated may differ from the one that is derived by this much, s, and by `TOLERANCE` of the time.
+const SAME_TIME: f64 = 1e-6;
 
 /// The claim `scene`: the plan names this scene, by the hash of its files or, when both state it, by the hash of what the
 /// files say. Hexadecimal digits compare without regard to case.
@@ -67,4 +71,32 @@ pub fn net_length_claim(plan: f64, scene: Option<f64>, overrides: &Overrides) ->
         place: None,
         detail,
     }
+}
+
+/// Refuses the claim `speed` of a plan that states another time law (s at each waypoint) than the one that follows from scene
+/// and waypoints: nobody drives what it states.
+pub fn compare_time_law(speed: &mut Claim, reference: &Reference, stated: &[f64]) {
+    let derived = reference.time_law();
+    let other = |(_, (t, stated)): &(usize, (&f64, &f64))| {
+        // Also what is not a number is another time.
+        let near = (*t - *stated).abs() <= SAME_TIME + TOLERANCE * t.abs();
+        !near
+    };
+    let difference = derived.iter().zip(stated).enumerate().find(other);
+    let doubt = match difference {
+        Some((i, (t, stated))) => format!(
+            "the plan says that waypoint {i} is passed at {stated} s, its waypoints make it {t:.6} s"
+        ),
+        None if derived.len() != stated.len() => format!(
+            "the plan's time law has {} times for {} waypoints",
+            stated.len(),
+            derived.len()
+        ),
+        None => return,
+    };
+    speed.holds = false;
+    speed.margin = f64::NEG_INFINITY;
+    speed.step = difference.map(|(i, _)| i);
+    speed.place = None;
+    speed.detail = format!("{doubt}: the file was edited, or is of another version");
 }

@@ -17,17 +17,22 @@
 mod added;
 mod claims;
 mod clearance;
+mod farthest;
 pub mod infeasibility;
 mod map_runs;
+mod motion;
 mod obstacles;
+mod passage;
+mod search;
 mod subject;
 mod tightest;
 
-pub use added::{net_length_claim, scene_claim};
+pub use added::{compare_time_law, net_length_claim, scene_claim};
 pub use clearance::Clearance;
 pub use subject::COORDINATE_LIMIT;
 
 use pairtrawl_model::{Certificate, PairTrajectory, Scene};
+use pairtrawl_reference::Reference;
 use subject::Subject;
 
 /// Bounds hold to this much unless the file format says otherwise, in the claim's own unit.
@@ -38,8 +43,13 @@ pub const TOLERANCE: f64 = 1e-9;
 /// The claims stand in the order of the file format, from `endpoints` to `net_reach`, then `inside_area`; `scene` and
 /// `net_length` concern files, see [`scene_claim`] and [`net_length_claim`]. A margin is `INFINITY` where there is
 /// nothing to hold the plan against (no obstacle, no object) and `NEG_INFINITY` where the input cannot be judged.
-pub fn certify(scene: &Scene, net_length: f64, trajectory: &PairTrajectory) -> Certificate {
-    let claims = match Subject::new(scene, net_length, trajectory) {
+pub fn certify(
+    scene: &Scene,
+    net_length: f64,
+    trajectory: &PairTrajectory,
+    reference: Option<&Reference>,
+) -> Certificate {
+    let claims = match Subject::new(scene, net_length, trajectory, reference) {
         Ok(subject) => claims::ALL
             .iter()
             .map(|claim| (claim.judge)(&subject).into_claim(claim.id, claim.tolerance))

@@ -1,7 +1,9 @@
+use crate::motion::{Reading, Stretch};
 use crate::obstacles::Obstacles;
 use crate::tightest::Tightest;
-use pairtrawl_geometry::{Point, Pose};
+use pairtrawl_geometry::Pose;
 use pairtrawl_model::{PairTrajectory, Scene, Side};
+use pairtrawl_reference::Reference;
 
 /// Coordinates beyond this are refused, m: above it a double no longer resolves the tolerance of 1e-9 m.
 pub const COORDINATE_LIMIT: f64 = 1e6;
@@ -11,6 +13,8 @@ pub(crate) struct Subject<'a> {
     pub(crate) scene: &'a Scene,
     pub(crate) net_length: f64,
     pub(crate) trajectory: &'a PairTrajectory,
+    /// How the motion is read, each with its steps: linear first, then the smooth curve when there is one.
+    pub(crate) readings: Vec<(Reading<'a>, Vec<Stretch>)>,
     /// `Err` says what is malformed.
     pub(crate) obstacles: Result<Obstacles<'a>, String>,
 }
@@ -21,6 +25,7 @@ impl<'a> Subject<'a> {
         scene: &'a Scene,
         net_length: f64,
         trajectory: &'a PairTrajectory,
+        reference: Option<&'a Reference>,
     ) -> Result<Self, Tightest> {
         let (left, right) = (&trajectory.left, &trajectory.right);
         if left.len() != right.len() {
@@ -47,6 +52,14 @@ impl<'a> Subject<'a> {
                 return Err(Tightest::unusable(Some(i), reason));
             }
         }
+        if let Some(curve) = reference.filter(|curve| curve.waypoints() != left.len()) {
+            let reason = format!(
+                "the reference has {} waypoints, the trajectories have {}: it is another plan's",
+                curve.waypoints(),
+                left.len()
+            );
+            return Err(Tightest::unusable(None, reason));
+        }
         let robot = &scene.robot;
         if !(robot.radius.is_finite() && robot.radius > 0.0 && robot.hitch.is_finite()) {
             let reason = format!(
@@ -59,6 +72,10 @@ impl<'a> Subject<'a> {
             scene,
             net_length,
             trajectory,
+            readings: std::iter::once(Reading::Linear(trajectory))
+                .chain(reference.map(Reading::Smooth))
+                .map(|reading| (reading, reading.steps()))
+                .collect(),
             obstacles: Obstacles::new(scene),
         })
     }
@@ -68,8 +85,13 @@ impl<'a> Subject<'a> {
         self.trajectory.len() - 1
     }
 
+    /// True when the plan is driven along its reference.
+    pub(crate) fn is_driven(&self) -> bool {
+        self.readings.len() > 1
+    }
+
     /// Both robots with their poses.
-    pub(crate) fn robots(&self) -> [(Side, &'a [Pose]); 2] {
+    fn robots(&self) -> [(Side, &'a [Pose]); 2] {
         [
             (Side::Left, &self.trajectory.left),
             (Side::Right, &self.trajectory.right),
@@ -84,12 +106,6 @@ impl<'a> Subject<'a> {
                 .enumerate()
                 .map(move |(i, w)| (side, i, w[0], w[1]))
         })
-    }
-
-    /// The positions left[i], left[i + 1], right[i + 1], right[i].
-    pub(crate) fn corners(&self, i: usize) -> [Point; 4] {
-        let (left, right) = (&self.trajectory.left, &self.trajectory.right);
-        [left[i], left[i + 1], right[i + 1], right[i]].map(Pose::position)
     }
 }
 

@@ -41,7 +41,7 @@ fn exact_drives_hold_with_the_margins_that_one_computes_by_hand() {
             margin(name)
         );
     }
-    assert!(certify(&case.scene, 1.5, &case.trajectory).is_valid());
+    assert!(certify(&case.scene, 1.5, &case.trajectory, None).is_valid());
 }
 
 #[test]
@@ -344,7 +344,7 @@ fn headings_are_compared_modulo_a_turn_at_the_ends_and_are_continuous_along_the_
             .iter_mut()
             .for_each(|p| p.heading += 3.0 * std::f64::consts::TAU);
     }
-    assert!(certify(&case.scene, case.net_length, &case.trajectory).is_valid());
+    assert!(certify(&case.scene, case.net_length, &case.trajectory, None).is_valid());
     case.trajectory.left[4].heading -= std::f64::consts::TAU;
     assert!(!claim(&case, "turn").holds);
 }

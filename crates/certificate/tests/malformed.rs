@@ -11,7 +11,7 @@ use support::{Case, claim};
 #[test]
 fn what_cannot_be_judged_fails_with_a_reason() {
     let fails_all = |case: &Case, word: &str| {
-        let certificate = certify(&case.scene, case.net_length, &case.trajectory);
+        let certificate = certify(&case.scene, case.net_length, &case.trajectory, None);
         assert_eq!(certificate.claims.len(), 14);
         for claim in certificate.claims {
             assert!(!claim.holds && claim.detail.contains(word), "{claim:?}");

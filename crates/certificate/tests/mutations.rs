@@ -192,7 +192,7 @@ fn the_certificate_judges_mutations_as_brute_force_does() {
     let mut random = Random(2026);
     let cases = valid_plans(&mut random);
     for (i, case) in cases.iter().enumerate() {
-        let certificate = certify(&case.scene, case.net_length, &case.trajectory);
+        let certificate = certify(&case.scene, case.net_length, &case.trajectory, None);
         assert!(certificate.is_valid(), "plan {i}: {certificate:#?}");
     }
     let (mut judged, mut refused) = (0, 0);
@@ -204,7 +204,7 @@ fn the_certificate_judges_mutations_as_brute_force_does() {
         let mut case = cases[random.below(cases.len())].clone();
         mutate(&mut case, kind, &mut random);
         let opinions = opinions(&case.scene, case.net_length, &case.trajectory);
-        let certificate = certify(&case.scene, case.net_length, &case.trajectory);
+        let certificate = certify(&case.scene, case.net_length, &case.trajectory, None);
         for ((name, opinion), claim) in opinions.iter().zip(&certificate.claims) {
             assert_eq!(*name, claim.id.name());
             match opinion {

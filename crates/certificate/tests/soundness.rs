@@ -22,9 +22,9 @@ fn scenes_with_a_valid_plan_have_no_proof() {
         let legs = [leg(20), leg(20), leg(20), leg(20)];
         let mut case = drive(&scene, &legs, 1.2);
         furnish(&mut case, round % 7, &mut random, |case| {
-            certify(&case.scene, case.net_length, &case.trajectory).is_valid()
+            certify(&case.scene, case.net_length, &case.trajectory, None).is_valid()
         });
-        let certificate = certify(&case.scene, case.net_length, &case.trajectory);
+        let certificate = certify(&case.scene, case.net_length, &case.trajectory, None);
         assert!(certificate.is_valid(), "round {round}: {certificate:#?}");
         for net_length in [Some(case.net_length), None] {
             let proof = prove(&case.scene, net_length);

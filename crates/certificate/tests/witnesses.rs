@@ -25,7 +25,7 @@ const NAMES: [&str; 14] = [
 fn witnesses_pass_every_claim_in_the_order_of_the_format() {
     for n in 1..=9 {
         let case = support::witness(n);
-        let certificate = certify(&case.scene, case.net_length, &case.trajectory);
+        let certificate = certify(&case.scene, case.net_length, &case.trajectory, None);
         let names: Vec<&str> = certificate.claims.iter().map(|c| c.id.name()).collect();
         assert_eq!(names, NAMES);
         for claim in &certificate.claims {

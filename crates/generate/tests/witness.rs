@@ -9,7 +9,12 @@ fn generated(kind: Kind, difficulty: u8, seed: u64, waypoints: usize) -> Generat
 }
 
 fn margin(generated: &Generated, claim: &str) -> f64 {
-    let certificate = certify(&generated.scene, generated.net_length, &generated.witness);
+    let certificate = certify(
+        &generated.scene,
+        generated.net_length,
+        &generated.witness,
+        None,
+    );
     certificate
         .claims
         .iter()
@@ -22,7 +27,7 @@ fn every_witness_holds_every_claim() {
     for difficulty in 1..=10 {
         for seed in 1..=8 {
             let g = generated(Kind::Witness, difficulty, seed, 120);
-            let certificate = certify(&g.scene, g.net_length, &g.witness);
+            let certificate = certify(&g.scene, g.net_length, &g.witness, None);
             let broken: Vec<_> = certificate.claims.iter().filter(|c| !c.holds).collect();
             assert!(
                 certificate.is_valid(),
@@ -40,7 +45,7 @@ fn every_witness_holds_every_claim() {
 fn every_serpentine_witness_holds_every_claim() {
     for difficulty in [1, 5, 10] {
         let g = generated(Kind::Serpentine, difficulty, 3, 900);
-        let certificate = certify(&g.scene, g.net_length, &g.witness);
+        let certificate = certify(&g.scene, g.net_length, &g.witness, None);
         let broken: Vec<_> = certificate.claims.iter().filter(|c| !c.holds).collect();
         assert!(
             certificate.is_valid(),

@@ -159,7 +159,11 @@ impl Course<'_> {
 
         let trajectory = scales.trajectory(scene, &solution.trajectory);
         let net_length = self.meters(solution.net_length);
-        let certificate = run.stage(Stage::Certify, || certify(scene, net_length, &trajectory))?;
+        let certificate = run.stage(Stage::Certify, || {
+            // A trajectory without a reference fails its claims for the same reason.
+            let reference = Reference::of_scene(scene, &trajectory).ok();
+            certify(scene, net_length, &trajectory, reference.as_ref())
+        })?;
         Ok(Attempt {
             warnings: solution
                 .shrunk_margins
@@ -282,11 +286,15 @@ impl Attempt {
                 NetLength::Fixed(length) => Some(length),
             }),
         };
+        let time_law = Reference::of_scene(scene, &self.trajectory)
+            .map(|law| law.time_law())
+            .unwrap_or_default();
         let candidate = Candidate {
             net_length: self.net_length,
             trajectory: &self.trajectory,
             scene: Some(reference),
             overrides: &overrides,
+            time_law: Some(&time_law),
         };
         Plan {
             certificate: check(scene, reference, &candidate),
@@ -303,9 +311,7 @@ impl Attempt {
             order: course.order.to_vec(),
             centerline: self.centerline,
             baseline: self.baseline,
-            time_law: Reference::of_scene(scene, &self.trajectory)
-                .map(|law| law.time_law())
-                .unwrap_or_default(),
+            time_law,
             trajectory: self.trajectory,
             rehearsal: record.map_or(Rehearsal::Skipped, |record| record.verdict.clone()),
             solver: self.solver,

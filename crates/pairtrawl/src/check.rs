@@ -1,7 +1,8 @@
-use pairtrawl_certificate::{certify, net_length_claim, scene_claim};
+use pairtrawl_certificate::{certify, compare_time_law, net_length_claim, scene_claim};
 use pairtrawl_model::{
     Certificate, Claim, ClaimId, Overrides, PairTrajectory, Scene, SceneReference,
 };
+use pairtrawl_reference::Reference;
 
 /// What a certificate is about: the part of a plan that `check` needs.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -14,6 +15,9 @@ pub struct Candidate<'a> {
     pub scene: Option<&'a SceneReference>,
     /// What was changed against the scene.
     pub overrides: &'a Overrides,
+    /// When the pair passes each waypoint, s, as the plan says. It is then judged on the smooth curve that it is driven along
+    /// as well; `None`: it says nothing, as plans made elsewhere, and is judged with poses linear between waypoints.
+    pub time_law: Option<&'a [f64]>,
 }
 
 /// Proves a plan from its scene and its two trajectories alone: every claim of the file format, `scene` and `net_length`
@@ -32,6 +36,18 @@ pub fn check(scene: &Scene, reference: &SceneReference, candidate: &Candidate) -
     };
     let net = net_length_claim(candidate.net_length, scene.net.length, candidate.overrides);
     let mut claims = vec![whose, net];
-    claims.extend(certify(scene, candidate.net_length, candidate.trajectory).claims);
+    let driven = candidate.time_law.and_then(|stated| {
+        // A trajectory without a reference fails its claims for the same reason.
+        let reference = Reference::of_scene(scene, candidate.trajectory).ok()?;
+        Some((reference, stated))
+    });
+    let curve = driven.as_ref().map(|(reference, _)| reference);
+    let derived = certify(scene, candidate.net_length, candidate.trajectory, curve);
+    claims.extend(derived.claims);
+    if let Some((reference, stated)) = &driven
+        && let Some(speed) = claims.iter_mut().find(|claim| claim.id == ClaimId::Speed)
+    {
+        compare_time_law(speed, reference, stated);
+    }
     Certificate { claims }
 }

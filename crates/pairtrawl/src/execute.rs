@@ -24,7 +24,7 @@ pub use reduced_run::{ReducedOutcome, ReducedRun};
 pub use sensing::{Normal, Sensing, Sensors, TORQUE_PERIOD, TRACKER_TICKS};
 pub use statistics::{mixed_seed, quantile};
 
-use crate::reference::{Reference, certify_reference};
+use crate::reference::Reference;
 use pairtrawl_model::{Execution, PairTrajectory, Plan, Scene, Trial};
 use rayon::prelude::*;
 use trial::Course;
@@ -58,7 +58,8 @@ pub fn execute_trajectory(
 ) -> Result<Execution, ExecutionError> {
     options.validate()?;
     let reference = Reference::of_scene(scene, trajectory)?;
-    let reference_certificate = certify_reference(&reference, scene, net_length);
+    let reference_certificate =
+        pairtrawl_certificate::certify(scene, net_length, trajectory, Some(&reference));
     let warnings = reference_certificate
         .claims
         .iter()

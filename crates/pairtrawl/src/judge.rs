@@ -14,10 +14,11 @@ pub fn judge(scene: &Scene, reference: &SceneReference, file: &PlanFile) -> Plan
         trajectory: &trajectory,
         scene: file.scene.as_ref(),
         overrides: &file.overrides,
+        time_law: file.time_law.as_deref(),
     };
     let (left, right) = file.baseline.clone().unwrap_or_default();
     Plan {
-        time_law: Vec::new(),
+        time_law: file.time_law.clone().unwrap_or_default(),
         net_length: file.net_length,
         cost: evaluate(scene, &trajectory, file.net_length),
         certificate: check(scene, reference, &candidate),

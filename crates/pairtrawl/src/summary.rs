@@ -155,7 +155,7 @@ mod tests {
         };
         Plan {
             net_length: 1.5,
-            certificate: pairtrawl_certificate::certify(scene, 1.5, &trajectory),
+            certificate: pairtrawl_certificate::certify(scene, 1.5, &trajectory, None),
             trajectory,
             scene: Default::default(),
             time_law: Vec::new(),

@@ -6,8 +6,9 @@ use pairtrawl::files::{
 use pairtrawl_geometry::{Point, Pose};
 use pairtrawl_model::{
     Certificate, Circle, Claim, ClaimId, Cost, Overrides, PairTrajectory, Plan, Rehearsal,
-    SceneReference, SolverReport, SolverStatus,
+    SceneReference, Side, SolverReport, SolverStatus,
 };
+use pairtrawl_reference::{Reference, ReferenceLimits};
 use std::path::{Path, PathBuf};
 
 fn plan() -> Plan {
@@ -184,22 +185,40 @@ fn every_witness_is_read_and_lacks_may_be_filled() {
 }
 
 #[test]
-fn csv_and_tum_have_a_line_for_each_waypoint() {
-    let t = plan().trajectory;
-    let csv = csv_text(&t);
+fn csv_and_tum_have_a_line_for_each_waypoint_of_what_is_driven() {
+    let poses = |y: f64| {
+        let place = |i: i32| Point::new(0.1, y) + Point::unit(-0.2) * (f64::from(i) / 30.0);
+        (0..3).map(|i| Pose::at(place(i), -0.2)).collect::<Vec<_>>()
+    };
+    let t = PairTrajectory {
+        left: poses(0.7),
+        right: poses(0.1),
+        step_time: 0.248,
+    };
+    let limits = ReferenceLimits::of(&Default::default());
+    let r = Reference::new(&Default::default(), &Default::default(), &t, &limits).unwrap();
+    let csv = csv_text(&r);
     let lines: Vec<&str> = csv.lines().collect();
     assert_eq!(
         lines[0],
-        "t,left_x,left_y,left_heading,right_x,right_y,right_heading"
+        "t,left_x,left_y,left_heading,right_x,right_y,right_heading,left_v,left_omega,right_v,right_omega"
     );
     assert_eq!(lines.len(), 4);
-    let row: Vec<f64> = lines[2].split(',').map(|x| x.parse().unwrap()).collect();
-    assert_eq!(
-        row,
-        [0.248, t.left[1].x, 0.7, -0.1, t.right[1].x, 0.1, -0.1]
-    );
+    let rows: Vec<Vec<f64>> = lines[1..]
+        .iter()
+        .map(|line| line.split(',').map(|x| x.parse().unwrap()).collect())
+        .collect();
+    // Poses are the plan's own bits, velocities those of the reference: none at both ends.
+    for (i, row) in rows.iter().enumerate() {
+        let (l, r) = (t.left[i], t.right[i]);
+        assert_eq!(row[1..7], [l.x, l.y, l.heading, r.x, r.y, r.heading]);
+    }
+    let [left, right] = r.at(r.waypoint_time(1));
+    assert_eq!(rows[1][0], r.waypoint_time(1));
+    assert_eq!(rows[1][7..], [left.v, left.omega, right.v, right.omega]);
+    assert!(left.v > 0.05 && rows[0][7..] == [0.0; 4] && rows[2][7..] == [0.0; 4]);
 
-    let tum = tum_text(&t.left, t.step_time);
+    let tum = tum_text(&r, Side::Left);
     let row: Vec<f64> = tum
         .lines()
         .nth(2)
@@ -210,7 +229,7 @@ fn csv_and_tum_have_a_line_for_each_waypoint() {
     assert_eq!(row.len(), 8);
     assert_eq!(
         (row[0], row[1], row[2], row[3]),
-        (0.496, t.left[2].x, 0.7, 0.0)
+        (r.duration(), t.left[2].x, t.left[2].y, 0.0)
     );
     assert!(
         (2.0 * row[6].atan2(row[7]) - t.left[2].heading).abs() < 1e-15

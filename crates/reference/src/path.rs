@@ -4,9 +4,6 @@ use pairtrawl_geometry::{Point, Pose};
 /// A step shorter than this part of the longest chord, with a turn of less than this (rad), is a wait.
 const WAIT: f64 = 2e-8;
 
-/// A waypoint that is missed by less than this part of the longest chord is met.
-const ROUNDING: f64 = 1e-11;
-
 /// What a step of the plan does: how far it goes along its mid-step heading, m, and how much it turns, rad.
 #[derive(Clone, Copy)]
 struct Move {
@@ -51,13 +48,7 @@ pub(crate) fn roll_through(poses: &[Pose], unit: f64) -> Vec<RollingStep> {
         };
         let step = RollingStep::between(start, poses[i + 1], &ends, unit);
         // Where a short chord could not be met, the next step starts from where this one ends.
-        let (end, wanted) = (step.pose(1.0).position(), poses[i + 1]);
-        let met = end.distance(wanted.position()) <= ROUNDING * unit;
-        start = if met {
-            wanted
-        } else {
-            Pose::at(end, wanted.heading)
-        };
+        start = step.pose(1.0);
         steps.push(step);
     }
     steps

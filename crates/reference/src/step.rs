@@ -15,6 +15,8 @@ const NODES: [(f64, f64); 6] = [
 const SHORT: f64 = 2e-3;
 /// The next waypoint is met to this part of the longest chord.
 const MET: f64 = 2e-12;
+/// A waypoint that is missed by less than this part of the longest chord is met.
+const ROUNDING: f64 = 1e-11;
 /// The heading strays from its cubic by at most a sixteenth of this, rad: the rounding of a short chord's direction must not
 /// become a wild swing.
 const GREATEST_BUMP: f64 = 2.0;
@@ -27,6 +29,7 @@ const GREATEST_BUMP: f64 = 2.0;
 #[derive(Clone, Copy, Debug)]
 pub struct RollingStep {
     start: Pose,
+    end: Pose,
     speed: Cubic,
     rate: Cubic,
     /// On this many equal parts the quadrature is exact to rounding: 1 where the heading changes little.
@@ -59,6 +62,10 @@ pub struct StepBounds {
     pub speed_slope: f64,
     /// Greatest magnitude of d2phi/dw2.
     pub rate_slope: f64,
+    /// Greatest magnitude of d2s/dw2.
+    pub speed_bend: f64,
+    /// Greatest magnitude of d3phi/dw3.
+    pub rate_bend: f64,
 }
 
 impl StepBounds {
@@ -89,11 +96,9 @@ impl RollingStep {
         let along = chord.dot(Point::unit(start.heading + 0.5 * turn));
         let mut bumps = [along - 0.5 * (ends.speed[0] + ends.speed[1]), 0.0];
         let mut step = Self::with_bumps(start, turn, ends, bumps);
-        if chord.norm() <= SHORT * unit {
-            return step;
-        }
         // Newton's method for the bumps (a, b): the end lies `chord` from the start.
-        for _ in 0..8 {
+        let rounds = if chord.norm() > SHORT * unit { 8 } else { 0 };
+        for _ in 0..rounds {
             let (mut miss, mut by_a, mut by_b) = (chord, Point::ZERO, Point::ZERO);
             step.integrate(1.0, |w, weight, forward| {
                 let (bump, speed) = (w * (1.0 - w), step.speed.at(w));
@@ -110,6 +115,13 @@ impl RollingStep {
             bumps[1] = b.clamp(-GREATEST_BUMP, GREATEST_BUMP);
             step = Self::with_bumps(start, turn, ends, bumps);
         }
+        let place = step.rolled(1.0);
+        let met = place.distance(end.position()) <= ROUNDING * unit;
+        step.end = if met {
+            end
+        } else {
+            Pose::at(place, end.heading)
+        };
         step
     }
 
@@ -118,6 +130,7 @@ impl RollingStep {
         let sum = turn.abs() + t0.abs() + t1.abs();
         Self {
             start,
+            end: start,
             speed: Cubic([s0, s1 - s0 + 6.0 * a, -6.0 * a, 0.0]),
             rate: Cubic([
                 t0,
@@ -145,13 +158,24 @@ impl RollingStep {
         self.start.heading + self.rate.integral(w)
     }
 
-    /// The pose at w in [0, 1].
-    pub fn pose(&self, w: f64) -> Pose {
+    /// The position after w, by quadrature, m.
+    fn rolled(&self, w: f64) -> Point {
         let mut place = self.start.position();
         self.integrate(w, |v, weight, forward| {
             place += forward * (weight * self.speed.at(v));
         });
-        Pose::at(place, self.heading(w))
+        place
+    }
+
+    /// The pose at w in [0, 1]. Both ends are exact: a waypoint that is met has the plan's own bits.
+    pub fn pose(&self, w: f64) -> Pose {
+        if w <= 0.0 {
+            self.start
+        } else if w >= 1.0 {
+            self.end
+        } else {
+            Pose::at(self.rolled(w), self.heading(w))
+        }
     }
 
     /// The state at w in [0, 1].
@@ -167,11 +191,14 @@ impl RollingStep {
 
     /// What holds on the whole stretch from w = `stretch[0]` to `stretch[1]`.
     pub fn bounds(&self, stretch: [f64; 2]) -> StepBounds {
+        let (speed_slope, rate_slope) = (self.speed.slope(), self.rate.slope());
         StepBounds {
             speed: self.speed.range(stretch),
             rate: self.rate.range(stretch),
-            speed_slope: self.speed.slope().magnitude(stretch),
-            rate_slope: self.rate.slope().magnitude(stretch),
+            speed_slope: speed_slope.magnitude(stretch),
+            rate_slope: rate_slope.magnitude(stretch),
+            speed_bend: speed_slope.slope().magnitude(stretch),
+            rate_bend: rate_slope.slope().magnitude(stretch),
         }
     }
 }

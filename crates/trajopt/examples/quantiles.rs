@@ -6,6 +6,7 @@
 
 use pairtrawl_generate::{Kind, generate};
 use pairtrawl_model::{PairTrajectory, SolverStatus};
+use pairtrawl_reference::Reference;
 use pairtrawl_route::{baseline, hybrid_a_star, visiting_order};
 use pairtrawl_trajopt::{Problem, Settings, Solution, optimize, optimize_from};
 use pairtrawl_world::World;
@@ -30,8 +31,13 @@ fn timed(scene: &pairtrawl_model::Scene, solve: impl Fn() -> Solution) -> (Outco
     let before = processor_ms();
     let solution = solve();
     let ms = processor_ms() - before;
-    let certificate =
-        pairtrawl_certificate::certify(scene, solution.net_length, &solution.trajectory);
+    let reference = Reference::of_scene(scene, &solution.trajectory);
+    let certificate = pairtrawl_certificate::certify(
+        scene,
+        solution.net_length,
+        &solution.trajectory,
+        reference.as_ref().ok(),
+    );
     let outcome = Outcome {
         ms,
         iterations: solution.iterations as f64,

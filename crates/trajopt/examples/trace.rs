@@ -64,8 +64,13 @@ fn main() {
         println!("{v:?}");
     }
     println!("{:?}", solution.shrunk_margins);
-    let certificate =
-        pairtrawl_certificate::certify(scene, solution.net_length, &solution.trajectory);
+    let reference = pairtrawl_reference::Reference::of_scene(scene, &solution.trajectory);
+    let certificate = pairtrawl_certificate::certify(
+        scene,
+        solution.net_length,
+        &solution.trajectory,
+        reference.as_ref().ok(),
+    );
     for claim in &certificate.claims {
         println!(
             "{:26} {:5} {:10.6} {:?} {}",

@@ -34,7 +34,8 @@ fn generated_scenes_are_solved_and_certified() {
                 assert_eq!(solution.status, SolverStatus::Converged, "{at}");
                 assert!(solution.violations.is_empty(), "{at}");
                 assert!(solution.iterations <= 150, "{at}: {}", solution.iterations);
-                let certificate = certify(&made.scene, solution.net_length, &solution.trajectory);
+                let certificate =
+                    certify(&made.scene, solution.net_length, &solution.trajectory, None);
                 let failing: Vec<_> = certificate.claims.iter().filter(|c| !c.holds).collect();
                 assert!(failing.is_empty(), "{at}: {failing:?}");
                 let cost = evaluate(&made.scene, &solution.trajectory, solution.net_length);
@@ -94,7 +95,7 @@ fn assert_named(scene: &Scene, solution: &Solution, claims: &[&str]) {
     }
     let amounts: Vec<f64> = solution.violations.iter().map(|v| v.amount).collect();
     assert!(amounts.is_sorted_by(|a, b| a >= b), "worst first");
-    let certificate = certify(scene, solution.net_length, &solution.trajectory);
+    let certificate = certify(scene, solution.net_length, &solution.trajectory, None);
     assert!(!certificate.is_valid());
 }
 
@@ -159,7 +160,7 @@ fn the_same_gap_made_wider_is_passed() {
     let problem = problem(&scene, Some(1.3));
     let solution = optimize(&problem, &start, &Settings::default());
     assert_eq!(solution.status, SolverStatus::Converged);
-    let certificate = certify(&scene, 1.3, &solution.trajectory);
+    let certificate = certify(&scene, 1.3, &solution.trajectory, None);
     assert!(certificate.is_valid(), "{certificate:?}");
 }
 
@@ -169,7 +170,7 @@ fn a_net_that_is_too_short_for_the_ends_is_not_called_solved() {
     let problem = problem(&scene, Some(0.7));
     let solution = optimize(&problem, &start, &Settings::default());
     assert_ne!(solution.status, SolverStatus::Converged);
-    let certificate = certify(&scene, 0.7, &solution.trajectory);
+    let certificate = certify(&scene, 0.7, &solution.trajectory, None);
     assert!(!certificate.is_valid());
 }
 
@@ -271,7 +272,7 @@ fn a_warm_start_from_a_plan_leads_to_that_plan_soon() {
         let changed = self::problem(&scene, Some(made.net_length));
         let again = optimize(&changed, &cold.trajectory, &Settings::warm());
         assert_eq!(again.status, SolverStatus::Converged);
-        assert!(certify(&scene, again.net_length, &again.trajectory).is_valid());
+        assert!(certify(&scene, again.net_length, &again.trajectory, None).is_valid());
     }
 }
 
@@ -347,7 +348,7 @@ fn a_disc_between_the_robots_is_not_overlooked() {
         for net_length in [Some(1.3), None] {
             let problem = problem(&scene, net_length);
             let solution = optimize(&problem, &start, &Settings::default());
-            let certificate = certify(&scene, solution.net_length, &solution.trajectory);
+            let certificate = certify(&scene, solution.net_length, &solution.trajectory, None);
             let at = format!("{center:?}, radius {radius}: {:?}", solution.status);
             if certificate.is_valid() {
                 assert_eq!(solution.status, SolverStatus::Converged, "{at}");
@@ -364,11 +365,11 @@ fn a_disc_between_the_robots_is_not_overlooked() {
 fn a_small_disc_beside_the_way_is_passed_with_all_of_the_net() {
     // Just within the band that the straight way sweeps, by the left robot's path: the pair swerves.
     let (scene, start) = disc_scene(Some((Point::new(2.0, 0.41), 0.01)));
-    let straight = certify(&scene, 1.3, &start);
+    let straight = certify(&scene, 1.3, &start, None);
     assert!(!straight.is_valid(), "the straight way meets it");
     let problem = problem(&scene, Some(1.3));
     let solution = optimize(&problem, &start, &Settings::default());
     assert_eq!(solution.status, SolverStatus::Converged);
-    let certificate = certify(&scene, 1.3, &solution.trajectory);
+    let certificate = certify(&scene, 1.3, &solution.trajectory, None);
     assert!(certificate.is_valid(), "{certificate:?}");
 }

@@ -16,6 +16,7 @@ pub fn check(arguments: &CheckArguments) -> Result<Done, Failure> {
         trajectory: &trajectory,
         scene: plan.scene.as_ref(),
         overrides: &plan.overrides,
+        time_law: plan.time_law.as_deref(),
     };
     let certificate = pairtrawl::check(&loaded.scene, &loaded.reference, &candidate);
     let claims = claim_summaries(&certificate, &trajectory.times());

@@ -8,7 +8,8 @@ use crate::progress::Progress;
 use crate::summary_text;
 use pairtrawl::PlanError;
 use pairtrawl::files::{self, LoadedScene};
-use pairtrawl::model::{Plan, Summary};
+use pairtrawl::model::{Plan, Scene, Side, Summary};
+use pairtrawl::reference::Reference;
 use serde_json::json;
 use std::path::{Path, PathBuf};
 
@@ -53,7 +54,7 @@ fn plan_and_write(
         &planned.stages,
         planned.rehearsal.as_ref(),
     );
-    let files = interrupt::while_writing(|| write(folder, &planned.plan, &summary))?;
+    let files = interrupt::while_writing(|| write(folder, &loaded.scene, &planned.plan, &summary))?;
 
     let mut text = summary_text::plan_text(&summary);
     output::warnings(&mut text, &summary.warnings);
@@ -85,7 +86,12 @@ pub fn create_folder(folder: &Path) -> Result<bool, Failure> {
 }
 
 /// Writes the plan last: where it stands, everything stands.
-fn write(folder: &Path, plan: &Plan, summary: &Summary) -> Result<Vec<PathBuf>, Failure> {
+fn write(
+    folder: &Path,
+    scene: &Scene,
+    plan: &Plan,
+    summary: &Summary,
+) -> Result<Vec<PathBuf>, Failure> {
     let file = |name: &str| folder.join(name);
     let plan_json = files::plan_json(plan).map_err(|error| {
         Failure::new(
@@ -93,16 +99,16 @@ fn write(folder: &Path, plan: &Plan, summary: &Summary) -> Result<Vec<PathBuf>, 
             format!("the plan cannot be written as JSON: {error}"),
         )
     })?;
+    let driven = Reference::of_scene(scene, &plan.trajectory).map_err(|error| {
+        Failure::new(
+            Exit::Internal,
+            format!("the plan cannot be driven: {error}"),
+        )
+    })?;
     let texts = [
-        ("plan.csv", files::csv_text(&plan.trajectory)),
-        (
-            "left.tum",
-            files::tum_text(&plan.trajectory.left, plan.trajectory.step_time),
-        ),
-        (
-            "right.tum",
-            files::tum_text(&plan.trajectory.right, plan.trajectory.step_time),
-        ),
+        ("plan.csv", files::csv_text(&driven)),
+        ("left.tum", files::tum_text(&driven, Side::Left)),
+        ("right.tum", files::tum_text(&driven, Side::Right)),
         ("plan.svg", pairtrawl::report::plan_svg(summary)),
         ("report.html", pairtrawl::report::report_html(summary)),
         ("plan.json", plan_json),

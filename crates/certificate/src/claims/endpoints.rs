@@ -1,6 +1,7 @@
 use crate::subject::Subject;
 use crate::tightest::Tightest;
 use pairtrawl_geometry::wrap_angle;
+use pairtrawl_model::Side;
 
 /// First and last poses are the scene's, to this much, m and rad.
 const REACH: f64 = 1e-6;
@@ -9,25 +10,25 @@ const REACH: f64 = 1e-6;
 pub(super) fn judge(subject: &Subject<'_>) -> Tightest {
     let mut tightest = Tightest::new();
     let last = subject.steps();
-    let pairs = [
-        ("start", 0, subject.scene.start),
-        ("end", last, subject.scene.end),
+    let ends = [
+        ("start", 0, 0, 0.0, subject.scene.start),
+        ("end", last, last - 1, 1.0, subject.scene.end),
     ];
-    for (what, i, wanted) in pairs {
-        let found = subject.trajectory.pair(i);
-        for (side, found, wanted) in [
-            ("left", found.left, wanted.left),
-            ("right", found.right, wanted.right),
-        ] {
-            let place = found.position();
-            let off = place.distance(wanted.position());
-            tightest.consider(REACH - off, i, place, || {
-                format!("{side} robot, {off:.3e} m from the scene's {what}")
-            });
-            let turned = wrap_angle(found.heading - wanted.heading).abs();
-            tightest.consider(REACH - turned, i, place, || {
-                format!("{side} robot, heading {turned:.3e} rad from the scene's {what}")
-            });
+    for (reading, _) in &subject.readings {
+        for (what, i, step, w, wanted) in ends {
+            for side in Side::BOTH {
+                let found = reading.pose(side, step, w);
+                let wanted = [wanted.left, wanted.right][side.index()];
+                let (place, on) = (found.position(), reading.suffix());
+                let off = place.distance(wanted.position());
+                tightest.consider(REACH - off, i, place, || {
+                    format!("{side}, {off:.3e} m from the scene's {what}{on}")
+                });
+                let turned = wrap_angle(found.heading - wanted.heading).abs();
+                tightest.consider(REACH - turned, i, place, || {
+                    format!("{side}, heading {turned:.3e} rad from the scene's {what}{on}")
+                });
+            }
         }
     }
     tightest

@@ -1,3 +1,5 @@
+use crate::motion::{Reading, Stretch};
+use crate::passage::best_passage;
 use crate::subject::Subject;
 use crate::tightest::Tightest;
 use pairtrawl_geometry::{Bounds, Point, Segment, SweptLine};
@@ -7,50 +9,53 @@ use pairtrawl_geometry::{Bounds, Point, Segment, SweptLine};
 /// The margin of an object is its distance from the nearer robot when the line passes over it, the best over all
 /// passages, or minus its distance from the swept region when none does, m. Its step is that of the best passage.
 pub(super) fn judge(subject: &Subject<'_>) -> Tightest {
-    let lines: Vec<(SweptLine, Bounds)> = (0..subject.steps())
-        .map(|i| {
-            let corners @ [l0, l1, r1, r0] = subject.corners(i);
-            (
-                SweptLine {
-                    left: Segment::new(l0, l1),
-                    right: Segment::new(r0, r1),
-                },
-                Bounds::of(&corners),
-            )
-        })
-        .collect();
     let mut tightest = Tightest::new();
-    for (j, object) in subject.scene.objects.iter().enumerate() {
-        let (margin, step) = best_passage(&lines, object.position);
-        tightest.consider(margin, step, object.position, || {
-            if margin >= 0.0 {
-                format!(
-                    "object {j}, {margin:.4} m from the nearer robot when the line passes over it"
-                )
-            } else {
-                format!("object {j}, {:.4} m outside the swept region", -margin)
-            }
-        });
+    for (reading, steps) in &subject.readings {
+        let bounds: Vec<Bounds> = steps.iter().map(Stretch::bounds).collect();
+        for (j, object) in subject.scene.objects.iter().enumerate() {
+            let (margin, step) = best(reading, steps, &bounds, object.position);
+            tightest.consider(margin, step, object.position, || {
+                let on = reading.suffix();
+                if margin >= 0.0 {
+                    format!(
+                        "object {j}, {margin:.4} m from the nearer robot when the line passes over it{on}"
+                    )
+                } else {
+                    format!("object {j}, {:.4} m outside the swept region{on}", -margin)
+                }
+            });
+        }
     }
     tightest
 }
 
 /// The best margin over all steps and the step where it is attained; NaN for a point that is not finite.
-fn best_passage(lines: &[(SweptLine, Bounds)], p: Point) -> (f64, usize) {
+fn best(reading: &Reading<'_>, steps: &[Stretch], bounds: &[Bounds], p: Point) -> (f64, usize) {
     if !p.is_finite() {
         return (f64::NAN, 0);
     }
     let at = Bounds::of(&[p]);
     let mut best = (f64::NEG_INFINITY, 0);
-    for (i, (line, bounds)) in lines.iter().enumerate() {
+    for (stretch, bounds) in steps.iter().zip(bounds) {
         // A box that is farther away than what is known already cannot improve it.
         let away = bounds.distance(&at);
         if away > 0.0 && -away <= best.0 {
             continue;
         }
-        let margin = line.coverage(p).margin;
+        let [l0, l1, r1, r0] = stretch.corners();
+        let even = SweptLine {
+            left: Segment::new(l0, l1),
+            right: Segment::new(r0, r1),
+        };
+        let margin = match reading {
+            Reading::Linear(_) => even.coverage(p).margin,
+            Reading::Smooth(_) => best_passage(reading, stretch, p).unwrap_or_else(|| {
+                // Where only even motion would pass over the point, it is missed by less than that strays.
+                even.coverage(p).margin.min(-stretch.greatest_bow())
+            }),
+        };
         if margin > best.0 {
-            best = (margin, i);
+            best = (margin, stretch.step);
         }
     }
     best

@@ -1,11 +1,14 @@
+use crate::motion::Reading;
 use crate::subject::Subject;
 use crate::tightest::Tightest;
 use pairtrawl_geometry::Point;
+use pairtrawl_model::Side;
 
 /// A step may go back by this much, m: the rounding of a written plan.
 const BACK: f64 = 1e-6;
 
-/// The displacement of each step along the mid-step heading is at least -1e-6 m; margin in m.
+/// The displacement of each step along the mid-step heading is at least -1e-6 m, and so is the speed along the smooth curve
+/// at every instant, in m a step; margin in m.
 pub(super) fn judge(subject: &Subject<'_>) -> Tightest {
     let mut tightest = Tightest::new();
     for (side, i, from, to) in subject.robot_steps() {
@@ -14,6 +17,21 @@ pub(super) fn judge(subject: &Subject<'_>) -> Tightest {
         tightest.consider(along + BACK, i, from.position(), || {
             format!("{side} moves {along:.3e} m forward")
         });
+    }
+    for (reading, steps) in &subject.readings {
+        let Reading::Smooth(reference) = reading else {
+            continue;
+        };
+        for side in Side::BOTH {
+            for (step, curve) in steps.iter().zip(reference.steps(side)) {
+                let [slowest, _] = curve.bounds([0.0, 1.0]).speed;
+                let place = step.from[side.index()].position();
+                tightest.consider(slowest + BACK, step.step, place, || {
+                    let on = reading.suffix();
+                    format!("{side} slows down to {slowest:.3e} m a step{on}")
+                });
+            }
+        }
     }
     tightest
 }

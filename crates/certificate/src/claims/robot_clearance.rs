@@ -1,8 +1,10 @@
+use crate::search::{Bound, least};
 use crate::subject::Subject;
 use crate::tightest::Tightest;
 use pairtrawl_geometry::Hull;
+use pairtrawl_model::Side;
 
-/// Every segment of each path keeps at least the robot radius from every obstacle; margin in m beyond the radius.
+/// Each path keeps at least the robot radius from every obstacle; margin in m beyond the radius.
 pub(super) fn judge(subject: &Subject<'_>) -> Tightest {
     let obstacles = match &subject.obstacles {
         Ok(obstacles) => obstacles,
@@ -10,14 +12,21 @@ pub(super) fn judge(subject: &Subject<'_>) -> Tightest {
     };
     let radius = subject.scene.robot.radius;
     let mut tightest = Tightest::new();
-    for (side, i, from, to) in subject.robot_steps() {
-        let path = Hull::of(&[from.position(), to.position()]);
-        if let Some((gap, part)) = obstacles.gap(&path, tightest.margin() + radius) {
-            tightest.consider(gap.distance - radius, i, gap.place, || {
-                format!(
-                    "{side}, {:.4} m from {part}, radius {radius} m",
-                    gap.distance
-                )
+    for (reading, steps) in &subject.readings {
+        for side in Side::BOTH {
+            least(reading, steps, &mut tightest, |stretch, so_far| {
+                let slack = stretch.bow(side);
+                let ends = [stretch.from, stretch.to].map(|pair| pair[side.index()].position());
+                let (gap, part) = obstacles.gap(&Hull::of(&ends), so_far + radius + slack)?;
+                let distance = gap.distance - slack;
+                Some(Bound {
+                    margin: distance - radius,
+                    slack,
+                    place: gap.place,
+                    detail: move || {
+                        format!("{side}, {distance:.4} m from {part}, radius {radius} m")
+                    },
+                })
             });
         }
     }

@@ -1,8 +1,10 @@
+use crate::search::{Bound, least};
 use crate::subject::Subject;
 use crate::tightest::Tightest;
 use pairtrawl_geometry::{Bounds, Segment};
+use pairtrawl_model::Side;
 
-/// Every segment of each path keeps at least the robot radius from every object's footprint circle; margin in m.
+/// Each path keeps at least the robot radius from every object's footprint circle; margin in m.
 pub(super) fn judge(subject: &Subject<'_>) -> Tightest {
     let radius = subject.scene.robot.radius;
     let mut tightest = Tightest::new();
@@ -15,18 +17,30 @@ pub(super) fn judge(subject: &Subject<'_>) -> Tightest {
             );
         }
         let center = Bounds::of(&[object.position]);
-        for (side, i, from, to) in subject.robot_steps() {
-            let path = Segment::new(from.position(), to.position());
-            if Bounds::of(&[path.a, path.b]).distance(&center) - reach >= tightest.margin() {
-                continue;
+        for (reading, steps) in &subject.readings {
+            for side in Side::BOTH {
+                least(reading, steps, &mut tightest, |stretch, so_far| {
+                    let slack = stretch.bow(side);
+                    let [a, b] =
+                        [stretch.from, stretch.to].map(|pair| pair[side.index()].position());
+                    if Bounds::of(&[a, b]).distance(&center) - reach - slack >= so_far {
+                        return None;
+                    }
+                    let gap = Segment::new(a, b).gap_to_disc(object.position, reach);
+                    let margin = gap.distance - slack;
+                    Some(Bound {
+                        margin,
+                        slack,
+                        place: gap.place,
+                        detail: move || {
+                            format!(
+                                "{side}, {:.4} m from the footprint circle of object {j}, radius {radius} m",
+                                margin + radius
+                            )
+                        },
+                    })
+                });
             }
-            let gap = path.gap_to_disc(object.position, reach);
-            tightest.consider(gap.distance, i, gap.place, || {
-                format!(
-                    "{side}, {:.4} m from the footprint circle of object {j}, radius {radius} m",
-                    gap.distance + radius
-                )
-            });
         }
     }
     tightest

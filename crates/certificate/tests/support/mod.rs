@@ -26,7 +26,7 @@ pub struct Case {
 
 /// One claim of a case's certificate.
 pub fn claim(case: &Case, name: &str) -> Claim {
-    let certificate = certify(&case.scene, case.net_length, &case.trajectory);
+    let certificate = certify(&case.scene, case.net_length, &case.trajectory, None);
     certificate
         .claims
         .into_iter()

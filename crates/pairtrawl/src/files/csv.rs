@@ -1,5 +1,5 @@
 use super::{FileError, write_atomically};
-use pairtrawl_model::PairTrajectory;
+use pairtrawl_reference::Reference;
 use std::fmt::Write;
 use std::path::Path;
 
@@ -7,20 +7,26 @@ use std::path::Path;
 ///
 /// # Errors
 /// When the system refuses.
-pub fn write_csv(path: &Path, trajectory: &PairTrajectory) -> Result<(), FileError> {
-    write_atomically(path, csv_text(trajectory).as_bytes())
+pub fn write_csv(path: &Path, reference: &Reference) -> Result<(), FileError> {
+    write_atomically(path, csv_text(reference).as_bytes())
 }
 
-/// A header and a line for each waypoint: s, m and rad; numbers are the shortest that read back as the same bits.
-pub fn csv_text(trajectory: &PairTrajectory) -> String {
-    let mut text = String::from("t,left_x,left_y,left_heading,right_x,right_y,right_heading\n");
-    for (i, (l, r)) in trajectory.left.iter().zip(&trajectory.right).enumerate() {
-        let t = i as f64 * trajectory.step_time;
+/// What the robots drive: a header and a line for each waypoint with the time at which they pass it (s), their poses (m and
+/// rad), and then speed along the heading (`v`, m/s) and turning rate (`omega`, rad/s) of each. Numbers are the shortest that
+/// read back as the same bits.
+pub fn csv_text(reference: &Reference) -> String {
+    let mut text = String::from(
+        "t,left_x,left_y,left_heading,right_x,right_y,right_heading,left_v,left_omega,right_v,right_omega\n",
+    );
+    for i in 0..reference.waypoints() {
+        let t = reference.waypoint_time(i);
+        let [left, right] = reference.at(t);
+        let (l, r) = (left.pose, right.pose);
         // Writing into a string cannot fail.
         let _ = writeln!(
             text,
-            "{t},{},{},{},{},{},{}",
-            l.x, l.y, l.heading, r.x, r.y, r.heading
+            "{t},{},{},{},{},{},{},{},{},{},{}",
+            l.x, l.y, l.heading, r.x, r.y, r.heading, left.v, left.omega, right.v, right.omega
         );
     }
     text

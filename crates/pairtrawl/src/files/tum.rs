@@ -1,29 +1,27 @@
 use super::{FileError, write_atomically};
-use pairtrawl_geometry::Pose;
+use pairtrawl_model::Side;
+use pairtrawl_reference::Reference;
 use std::fmt::Write;
 use std::path::Path;
 
-/// Writes one robot's trajectory as a TUM file, atomically; `step_time` in s.
+/// Writes what one robot drives as a TUM file, atomically.
 ///
 /// # Errors
 /// When the system refuses.
-pub fn write_tum(path: &Path, poses: &[Pose], step_time: f64) -> Result<(), FileError> {
-    write_atomically(path, tum_text(poses, step_time).as_bytes())
+pub fn write_tum(path: &Path, reference: &Reference, side: Side) -> Result<(), FileError> {
+    write_atomically(path, tum_text(reference, side).as_bytes())
 }
 
-/// Lines `t x y z qx qy qz qw` in s and m, map frame: z is 0 and the quaternion is a turn by the heading about +z.
-pub fn tum_text(poses: &[Pose], step_time: f64) -> String {
+/// A line `t x y z qx qy qz qw` for each waypoint, with the time at which the robot passes it, in s and m, map frame: z is 0
+/// and the quaternion is a turn by the heading about +z.
+pub fn tum_text(reference: &Reference, side: Side) -> String {
     let mut text = String::new();
-    for (i, p) in poses.iter().enumerate() {
+    for i in 0..reference.waypoints() {
+        let t = reference.waypoint_time(i);
+        let p = reference.at(t)[side.index()].pose;
         let (qz, qw) = (0.5 * p.heading).sin_cos();
         // Writing into a string cannot fail.
-        let _ = writeln!(
-            text,
-            "{} {} {} 0 0 0 {qz} {qw}",
-            i as f64 * step_time,
-            p.x,
-            p.y
-        );
+        let _ = writeln!(text, "{t} {} {} 0 0 0 {qz} {qw}", p.x, p.y);
     }
     text
 }

@@ -23,8 +23,9 @@ pub struct File {
     /// Time from one waypoint to the next, s; left out: the scene's default.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub step_time: Option<f64>,
-    /// When the controllers' smooth curve passes each waypoint, s from the start, at the earliest i * step_time.
-    #[serde(skip_deserializing, skip_serializing_if = "Option::is_none")]
+    /// When the smooth curve that the robots drive passes each waypoint, s from the start. A plan that has it holds its claims
+    /// on that curve as well as with poses linear between waypoints.
+    #[serde(skip_serializing_if = "Option::is_none")]
     pub time_law: Option<Vec<f64>>,
     /// The scene that the plan is for.
     #[serde(skip_serializing_if = "Option::is_none")]

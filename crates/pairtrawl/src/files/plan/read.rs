@@ -21,6 +21,8 @@ pub struct PlanFile {
     pub right: Vec<Pose>,
     /// Time from one waypoint to the next, s, when the file has it.
     pub step_time: Option<f64>,
+    /// When the pair passes each waypoint, s from the start, when the file has it.
+    pub time_law: Option<Vec<f64>>,
     /// The scene that the plan says it is for.
     pub scene: Option<SceneReference>,
     /// What the command line changed against the scene.
@@ -166,6 +168,7 @@ impl From<File> for PlanFile {
             left: poses(file.left),
             right: poses(file.right),
             step_time: file.step_time,
+            time_law: file.time_law.filter(|law| !law.is_empty()),
             scene: file.scene.map(|s| SceneReference {
                 name: s.name,
                 sha256: s.sha256,
