@@ -1,5 +1,5 @@
 use crate::check::{Candidate, check};
-use crate::reference::Reference;
+use pairtrawl_reference::Reference;
 use crate::run::Run;
 use crate::tighten::Tightening;
 use crate::{Method, NetLength, PlanError, PlanOptions, RehearsalMode, Stage};

@@ -1,33 +1,13 @@
 //! Executing a plan: controllers drive both robots in the simulated world, several trials in parallel.
 
-mod collector;
-mod control_loop;
-mod error;
-mod monte_carlo;
-mod observer;
-mod options;
-mod plant;
 mod recording;
-mod reduced_run;
-mod sensing;
-mod statistics;
-mod trial;
 
-pub use control_loop::{PairLoop, Truth};
-pub use error::ExecutionError;
-pub use monte_carlo::{GrowingDrag, MonteCarlo, MonteCarloOptions, MonteCarloRow, monte_carlo};
-pub use observer::ExecutionObserver;
-pub use options::{ExecutionOptions, NominalInertia, controller_parameters};
-pub use plant::{Drag, PlantParameters, ReducedPlant};
+pub use pairtrawl_execution::*;
 pub use recording::{WriteRecordingError, recording, write_recording};
-pub use reduced_run::{ReducedOutcome, ReducedRun};
-pub use sensing::{Normal, Sensing, Sensors, TORQUE_PERIOD, TRACKER_TICKS};
-pub use statistics::{mixed_seed, quantile};
 
-use crate::reference::Reference;
-use pairtrawl_model::{Execution, PairTrajectory, Plan, Scene, Trial};
-use rayon::prelude::*;
-use trial::Course;
+use pairtrawl_reference::Reference;
+use pairtrawl_model::{Execution, PairTrajectory, Plan, Scene};
+use std::time::Instant;
 
 /// Drives a plan in full physics, several trials in parallel on the current thread pool.
 ///
@@ -72,27 +52,20 @@ pub fn execute_trajectory(
             )
         })
         .collect();
-    let course = Course {
+    let begin = Instant::now();
+    let task = Task {
         scene,
         net_length,
         trajectory,
         reference: &reference,
         options,
     };
-    let trials = (0..options.trials)
-        .into_par_iter()
-        .map(|index| {
-            if observer.interrupted() {
-                return Ok(None);
-            }
-            let trial = trial::run(&course, index, observer)?;
-            if trial.is_some() {
-                observer.finished(index);
-            }
-            Ok(trial)
-        })
-        .collect::<Result<Vec<Option<Trial>>, ExecutionError>>()?;
-    let trials: Vec<Trial> = trials.into_iter().flatten().collect();
+    let host = Host {
+        clock: &|| begin.elapsed().as_secs_f64(),
+        cost: &|driven| pairtrawl_trajopt::evaluate(scene, driven, net_length),
+        observer,
+    };
+    let trials = drive_trials(&task, &host)?;
     Ok(Execution {
         controller: options.controller,
         net_length,

@@ -66,7 +66,6 @@ mod observer;
 mod options;
 mod plan;
 mod planner;
-pub mod reference;
 mod rehearse;
 mod run;
 mod starts;
@@ -84,6 +83,7 @@ pub use options::{CenterlineMethod, Method, NetLength, OrderMethod, PlanOptions,
 pub use pairtrawl_generate as generate;
 pub use pairtrawl_geometry as geometry;
 pub use pairtrawl_model as model;
+pub use pairtrawl_reference as reference;
 pub use pairtrawl_report as report;
 pub use pairtrawl_simulation as simulation;
 pub use pairtrawl_world as world;

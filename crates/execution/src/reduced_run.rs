@@ -1,15 +1,16 @@
 //! A pair of reduced plants along a reference, under a drag that is given over time.
 
-use super::control_loop::PairLoop;
-use super::observer::ExecutionObserver;
-use super::plant::{Drag, PlantParameters, ReducedPlant};
-use super::sensing::{Sensing, TORQUE_PERIOD, TRACKER_TICKS};
-use super::statistics::ErrorCollector;
-use crate::reference::{Reference, control_sample};
+use crate::control_loop::PairLoop;
+use crate::observer::ExecutionObserver;
+use crate::plant::{Drag, PlantParameters, ReducedPlant};
+use crate::sample::control_sample;
+use crate::sensing::{Sensing, TORQUE_PERIOD, TRACKER_TICKS};
+use crate::statistics::ErrorCollector;
 use pairtrawl_control::{
     AdaptedParameters, ControllerParameters, PairStopCause, ParameterError, SupervisorLimits,
 };
 use pairtrawl_model::TrackingStatistics;
+use pairtrawl_reference::Reference;
 
 /// Everything about one reduced run. Arrays over robots are (left, right).
 pub struct ReducedRun<'a> {

@@ -1,15 +1,15 @@
 //! Many runs on reduced plants with everything unknown drawn at random: which law keeps the pair on its path?
 
-use super::observer::ExecutionObserver;
-use super::options::controller_parameters;
-use super::plant::{Drag, PlantParameters};
-use super::reduced_run::{ReducedOutcome, ReducedRun};
-use super::sensing::{Normal, Sensing};
-use super::statistics::{mixed_seed, quantile};
-use super::{ExecutionError, NominalInertia};
-use crate::reference::Reference;
+use crate::observer::ExecutionObserver;
+use crate::options::controller_parameters;
+use crate::plant::{Drag, PlantParameters};
+use crate::reduced_run::{ReducedOutcome, ReducedRun};
+use crate::sensing::{Normal, Sensing};
+use crate::statistics::{mixed_seed, quantile};
+use crate::{ExecutionError, NominalInertia};
 use pairtrawl_control::SupervisorLimits;
 use pairtrawl_model::{ControllerKind, PairTrajectory, Scene};
+use pairtrawl_reference::Reference;
 use rayon::prelude::*;
 
 /// What is drawn, each evenly between two bounds.

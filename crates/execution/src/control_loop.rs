@@ -1,12 +1,13 @@
 //! Two controllers, their sensors and the supervisor, around any pair of robots that takes wheel torques.
 
-use super::sensing::{Sensing, Sensors, TORQUE_PERIOD, TRACKER_TICKS};
-use crate::reference::{Reference, Sample, control_sample};
+use crate::sample::control_sample;
+use crate::sensing::{Sensing, Sensors, TORQUE_PERIOD, TRACKER_TICKS};
 use pairtrawl_control::{
     AdaptedParameters, ControllerParameters, Mode, PairState, PairStopCause, PairSupervisor,
     ParameterError, Pose, RobotController, RobotReport, StopCause, SupervisorLimits, Velocity,
     WheelTorque,
 };
+use pairtrawl_reference::{Reference, Sample};
 
 /// Where a robot is and how it moves.
 #[derive(Clone, Copy, Debug, Default)]

@@ -1,5 +1,5 @@
-use super::ExecutionError;
-use super::sensing::{Sensing, TORQUE_PERIOD};
+use crate::ExecutionError;
+use crate::sensing::{Sensing, TORQUE_PERIOD};
 use pairtrawl_control::{
     ControllerParameters, CoriolisForm, IntegralGains, LawParameters, Limits, MracGains,
     RobotModel, SupervisorLimits, TrackingGains, Velocity,

@@ -1,6 +1,6 @@
 //! One robot reduced to its equation of motion: the consistent dynamics with a dry drag at the hitch.
 
-use super::control_loop::Truth;
+use crate::control_loop::Truth;
 use pairtrawl_control::{BodyForce, PlantModel, Pose, Velocity, WheelTorque, pose_rate};
 use pairtrawl_model::{PhysicsParameters, Robot};
 

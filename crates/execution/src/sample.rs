@@ -1,10 +1,7 @@
-//! The reference of a plan, see [`pairtrawl_reference`], and what the controllers make of it.
-
-pub use pairtrawl_reference::{Reference, ReferenceError, ReferenceLimits, Sample};
-
 use pairtrawl_control::{Pose, ReferenceSample, Velocity};
+use pairtrawl_reference::Sample;
 
-/// A sample in the controllers' words.
+/// A sample of the reference in the controllers' words.
 pub(crate) fn control_sample(sample: &Sample) -> ReferenceSample<f64> {
     let pose = sample.pose;
     ReferenceSample {

@@ -1,5 +1,5 @@
-use crate::reference::ReferenceError;
 use pairtrawl_control::ParameterError;
+use pairtrawl_reference::ReferenceError;
 use pairtrawl_simulation::SimulationError;
 use thiserror::Error;
 

@@ -1,18 +1,18 @@
 //! What is kept of a drive in physics.
 
-use super::control_loop::PairLoop;
-use super::statistics::ErrorCollector;
-use crate::reference::Sample;
+use crate::control_loop::PairLoop;
+use crate::statistics::ErrorCollector;
 use pairtrawl_control::AdaptedParameters;
 use pairtrawl_geometry::Point;
 use pairtrawl_model::{ControlSample, DragStatistics, PairPose, TrackingStatistics};
+use pairtrawl_reference::Sample;
 use pairtrawl_simulation::Simulation;
 
 /// Drag is a mean over this long, s: contacts ring from step to step.
 const DRAG_WINDOW: f64 = 0.02;
 
 /// Errors, drag and samples of a drive.
-pub(super) struct Collector {
+pub(crate) struct Collector {
     errors: [ErrorCollector; 2],
     window: [Point; 2],
     window_steps: u64,

@@ -1,60 +1,40 @@
 //! One drive of a plan by controllers in full physics.
 
-use super::ExecutionError;
-use super::collector::Collector;
-use super::control_loop::{PairLoop, Truth};
-use super::observer::ExecutionObserver;
-use super::options::{ExecutionOptions, controller_parameters};
-use super::sensing::{Normal, Sensing, TORQUE_PERIOD, TRACKER_TICKS};
-use super::statistics::mixed_seed;
-use crate::reference::Reference;
+use crate::collector::Collector;
+use crate::control_loop::{PairLoop, Truth};
+use crate::options::controller_parameters;
+use crate::sensing::{Normal, Sensing, TORQUE_PERIOD, TRACKER_TICKS};
+use crate::statistics::mixed_seed;
+use crate::{ExecutionError, Host, Task};
 use pairtrawl_control::{
     PairStopCause, Pose as ControlPose, SupervisorLimits, Velocity, WheelTorque,
 };
 use pairtrawl_geometry::Pose;
 use pairtrawl_model::{
-    Cost, ExecutionEvent, ExecutionEventKind, PairTrajectory, RehearsalEventKind, Scene, Side,
-    Trial, TrialConditions,
+    ExecutionEvent, ExecutionEventKind, PairTrajectory, RehearsalEventKind, Scene, Side, Trial,
+    TrialConditions,
 };
 use pairtrawl_simulation::{Options, PlanFollower, RobotDrive, RobotState, Simulation, Watch};
-use std::time::Instant;
-
-/// A plan that is driven, as every trial needs it.
-pub(super) struct Course<'a> {
-    pub scene: &'a Scene,
-    pub net_length: f64,
-    pub trajectory: &'a PairTrajectory,
-    pub reference: &'a Reference,
-    pub options: &'a ExecutionOptions,
-}
 
 /// Runs trial `index`. `Ok(None)`: the observer interrupted it.
-pub(super) fn run(
-    course: &Course,
-    index: usize,
-    observer: &dyn ExecutionObserver,
-) -> Result<Option<Trial>, ExecutionError> {
-    let begin = Instant::now();
-    let options = course.options;
+pub(crate) fn run(task: &Task, host: &Host, index: usize) -> Result<Option<Trial>, ExecutionError> {
+    let begin = (host.clock)();
+    let options = task.options;
     let seed = mixed_seed(options.seed, index as u64);
-    let conditions = draw(course, seed);
-    let scene = changed(course.scene, &conditions);
+    let conditions = draw(task, seed);
+    let scene = changed(task.scene, &conditions);
     let time_step = options.physics.time_step;
     // Deviations from the plan are measured against the reference here; the watch is for everything else.
     let physics = Options {
         max_deviation: 10.0,
         ..options.physics
     };
-    let mut simulation = Simulation::starting_at(
-        &scene,
-        course.net_length,
-        course.trajectory.pair(0),
-        &physics,
-    )?;
+    let mut simulation =
+        Simulation::starting_at(&scene, task.net_length, task.trajectory.pair(0), &physics)?;
     let mut watch = Watch::new(
         &scene,
         &physics,
-        PlanFollower::new(course.trajectory)?,
+        PlanFollower::new(task.trajectory)?,
         &simulation,
     );
     let mut collector = Collector::new(time_step, options.sample_interval);
@@ -69,14 +49,14 @@ pub(super) fn run(
         ..options.supervisor
     };
     let mut control = PairLoop::new(
-        course.reference,
-        &controller_parameters(course.scene, options.controller, options.nominal_inertia),
+        task.reference,
+        &controller_parameters(task.scene, options.controller, options.nominal_inertia),
         supervisor,
         sensing,
         [mixed_seed(seed, 1), mixed_seed(seed, 2)],
     )?;
     let mut stop: Option<ExecutionEvent> = None;
-    let mut end = course.reference.duration() + physics.settle_time;
+    let mut end = task.reference.duration() + physics.settle_time;
     let substeps = (TORQUE_PERIOD / time_step).round().max(1.0) as u64;
     let mut ticks = 0_u64;
     while simulation.time() < end {
@@ -90,11 +70,7 @@ pub(super) fn run(
         }
         ticks += 1;
         if ticks.is_multiple_of(TRACKER_TICKS) {
-            collector.compare(
-                &simulation,
-                &course.reference.at(simulation.time()),
-                &control,
-            );
+            collector.compare(&simulation, &task.reference.at(simulation.time()), &control);
         }
         if stop.is_none()
             && let Some((cause, side)) = control.stopped()
@@ -111,13 +87,14 @@ pub(super) fn run(
             });
         }
         if ticks.is_multiple_of(250) {
-            if observer.interrupted() {
+            if host.observer.interrupted() {
                 return Ok(None);
             }
-            observer.progressed(index, (simulation.time() / end).min(1.0));
+            host.observer
+                .progressed(index, (simulation.time() / end).min(1.0));
         }
     }
-    let cost = driven_cost(course, &collector);
+    let cost = (host.cost)(&driven(task, &collector));
     let record = watch.finish(&simulation);
     let physical = |e: &pairtrawl_model::RehearsalEvent| ExecutionEvent {
         kind: ExecutionEventKind::Physical(e.kind),
@@ -145,14 +122,14 @@ pub(super) fn run(
         frames: record.frames,
         samples: collector.into_samples(),
         duration: simulation.time(),
-        seconds: begin.elapsed().as_secs_f64(),
+        seconds: (host.clock)() - begin,
     }))
 }
 
-fn draw(course: &Course, seed: u64) -> TrialConditions {
-    let options = course.options;
+fn draw(task: &Task, seed: u64) -> TrialConditions {
+    let options = task.options;
     let mut draw = Normal::new(seed);
-    let mut object_masses: Vec<f64> = course
+    let mut object_masses: Vec<f64> = task
         .scene
         .objects
         .iter()
@@ -216,15 +193,15 @@ fn drive(torque: &WheelTorque<f64>) -> RobotDrive {
     }
 }
 
-/// J on the poses at the instants at which the reference passes the plan's waypoints, for as far as the pair came.
-fn driven_cost(course: &Course, collector: &Collector) -> Cost {
+/// The poses at the instants at which the reference passes the plan's waypoints, for as far as the pair came.
+fn driven(task: &Task, collector: &Collector) -> PairTrajectory {
     let samples = collector.samples();
     let mut driven = PairTrajectory {
-        step_time: course.trajectory.step_time,
+        step_time: task.trajectory.step_time,
         ..PairTrajectory::default()
     };
-    for i in 0..course.reference.waypoints() {
-        let time = course.reference.waypoint_time(i);
+    for i in 0..task.reference.waypoints() {
+        let time = task.reference.waypoint_time(i);
         let after = samples.partition_point(|s| s.time < time);
         let Some(b) = samples.get(after) else { break };
         let a = &samples[after.saturating_sub(1)];
@@ -237,7 +214,7 @@ fn driven_cost(course: &Course, collector: &Collector) -> Cost {
         driven.left.push(between(a.robots.left, b.robots.left));
         driven.right.push(between(a.robots.right, b.robots.right));
     }
-    pairtrawl_trajopt::evaluate(course.scene, &driven, course.net_length)
+    driven
 }
 
 fn words(cause: PairStopCause) -> &'static str {
