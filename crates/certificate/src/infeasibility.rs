@@ -5,18 +5,19 @@
 //!
 //! 1. **The net is too short**: the hitches or axles at the start or end are farther apart than the net is long, or it is
 //!    shorter than two robot radii plus an object's footprint circle, over which it must pass with a robot on each side.
-//! 2. **Every way is cut**: a robot's center stays in the area, at least a radius from every obstacle and every object's
+//! 2. **The net is too long**: robots keep a tenth of d_max apart at every instant, and at the start or end they do not.
+//! 3. **Every way is cut**: a robot's center stays in the area, at least a radius from every obstacle and every object's
 //!    footprint circle. Cells of a grid in which no point keeps that distance are surely blocked (the distance is
 //!    1-Lipschitz: that at the cell's center plus half the diagonal is below the radius). A continuous path visits cells
 //!    that share a corner at least; where no such chain of other cells joins start and end there is no path. Nothing is
 //!    assumed of the pair: staggered, it passes gaps that its width does not.
-//! 3. **An object is enclosed**: when the line between the robots passes over it, each half of the line is a straight
+//! 4. **An object is enclosed**: when the line between the robots passes over it, each half of the line is a straight
 //!    segment from the object to a robot, no longer than d_max - (radius + footprint radius) since the other half keeps
-//!    that distance, and it enters no obstacle. The proof shows for one robot that no cell that it may reach (as in 2)
+//!    that distance, and it enters no obstacle. The proof shows for one robot that no cell that it may reach (as in 3)
 //!    is near enough and has a line of sight. A convex piece of an obstacle that hides the four corners of a cell hides
 //!    the whole cell, because the shadow of a convex set is convex. Nor is there a line to a cell that no chain of cells
 //!    within reach, none wholly inside an obstacle, joins to the object.
-//! 4. **An object is pinned**: less than two robot radii separate its footprint circle from an obstacle, and neither the
+//! 5. **An object is pinned**: less than two robot radii separate its footprint circle from an obstacle, and neither the
 //!    start nor the end line between the robots crosses the shortest segment between object center and obstacle. No robot
 //!    path crosses that segment, for a point on it cannot keep a radius from both. The boundary of the swept region
 //!    (start line, one path, end line, other path) hence winds equally often around its two ends: not at all, because
@@ -24,12 +25,17 @@
 //!    so a point that is passed over has a winding number other than zero: the object is not swept. Abreast has to hold
 //!    with room for a step's turn, so the proof is used only while max_skew + max_turn / 2 + 2 asin(max_step /
 //!    separation) is below a right angle, and only when start and end are more than one step apart. An object that
-//!    reaches an obstacle through a chain of close objects needs no argument of its own: the last one is pinned.
+//!    reaches an obstacle through a chain of close objects needs no argument of its own: the last one is pinned. The same
+//!    holds for an object that is closer to the edge of the area than a robot radius beyond its footprint circle: no robot
+//!    leaves the area, which is convex, so nothing is swept outside of it either.
+//!
+//! Bounds of the search (sizes of cells) grow with the robots; tolerances are those of the claims, in m.
 
 mod enclosed;
 mod free_space;
 mod joined;
 mod narrowest;
+mod net_too_long;
 mod net_too_short;
 mod pinned;
 mod things;
@@ -60,6 +66,11 @@ pub enum ProofKind {
         /// The least length that would do here.
         needed: f64,
     },
+    /// The net is so long that the robots stand too close together at the start or end.
+    NetTooLong {
+        /// The greatest length that would do here.
+        most: f64,
+    },
     /// One robot has no way from its start to its end.
     WayCut {
         /// Where the widest way is narrowest.
@@ -71,6 +82,13 @@ pub enum ProofKind {
     ObjectEnclosed {
         /// Its index.
         object: usize,
+    },
+    /// An object is so close to the edge of the area that the line between the robots cannot pass over it.
+    ObjectAtEdge {
+        /// Its index.
+        object: usize,
+        /// Distance between its footprint circle and the edge.
+        gap: f64,
     },
     /// An object is so close to an obstacle that the line between the robots cannot pass over it.
     ObjectPinned {
@@ -84,14 +102,17 @@ pub enum ProofKind {
 /// What is not yet settled below this much is left open, m: the endpoints' tolerance and the rounding of distances.
 const CAUTION: f64 = 1e-5;
 
-/// Lines of sight are not looked at on cells with a diagonal below this, m: what is still open then stays unproven.
+/// Lines of sight are not looked at on cells with a diagonal below this, in units of the length scale: what is still open
+/// then stays unproven.
 const FINEST_VIEW: f64 = 0.03;
 
 /// Looks for a proof that no plan for this scene can be valid. `net_length` (m) is the length in force; `None` leaves it
 /// to the planner. Scenes that are malformed or start in collision have none: they are bad input.
 pub fn prove(scene: &Scene, net_length: Option<f64>) -> Option<Proof> {
     let things = usable(scene, net_length).then(|| Things::new(scene))??;
-    if let Some(proof) = net_length.and_then(|length| net_too_short::prove(scene, length)) {
+    let net =
+        |length| net_too_short::prove(scene, length).or_else(|| net_too_long::prove(scene, length));
+    if let Some(proof) = net_length.and_then(net) {
         return Some(proof);
     }
     if let Some(proof) = pinned::prove(&things) {
@@ -112,7 +133,7 @@ pub fn prove(scene: &Scene, net_length: Option<f64>) -> Option<Proof> {
                 Verdict::Open => undecided.push(object),
             }
         }
-        open = if space.size().norm() < FINEST_VIEW {
+        open = if space.size().norm() < FINEST_VIEW * things.scale {
             Vec::new()
         } else {
             undecided
@@ -146,10 +167,4 @@ fn usable(scene: &Scene, net_length: Option<f64>) -> bool {
         && robot.radius <= COORDINATE_LIMIT
         && robot.hitch.abs() <= COORDINATE_LIMIT
         && net_length.is_none_or(f64::is_finite)
-}
-
-/// A length for people, rounded up to a millimeter so that following the advice suffices.
-fn rounded_up(length: f64) -> f64 {
-    // What is a whole number of millimeters but for rounding stays that.
-    (length * 1e3 - 1e-6).ceil() / 1e3
 }

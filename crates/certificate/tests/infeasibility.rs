@@ -4,7 +4,7 @@ mod support;
 
 use pairtrawl_certificate::infeasibility::{Proof, ProofKind, prove};
 use pairtrawl_geometry::{Point, Pose};
-use pairtrawl_model::{Obstacle, OccupancyMap, Scene};
+use pairtrawl_model::{Obstacle, OccupancyMap, Scene, Units};
 use support::build::{cube, hall, wall};
 
 fn proven(scene: &Scene, net_length: Option<f64>) -> Proof {
@@ -261,6 +261,85 @@ fn an_object_close_to_an_obstacle_is_pinned_unless_the_start_or_end_line_passes_
     let mut scene = at_gap(0.3);
     scene.planner.max_skew = 1.5;
     assert_eq!(prove(&scene, Some(1.5)), None);
+}
+
+#[test]
+fn a_net_too_long_for_the_ends_is_named_with_the_length_that_would_do() {
+    let mut scene = hall(6.0, 4.0, 2.0, 5.0);
+    scene.end.right.y += 0.1;
+    let proof = proven(&scene, Some(8.0));
+    let ProofKind::NetTooLong { most } = proof.kind else {
+        panic!("wrong kind: {proof:?}")
+    };
+    assert!((most - 7.0).abs() < 1e-9);
+    let says = [
+        "too long",
+        "8.000 m",
+        "at the end",
+        "0.700 m",
+        "at most 7.000 m",
+    ];
+    assert!(
+        says.iter().all(|s| proof.message.contains(s)),
+        "{}",
+        proof.message
+    );
+    assert_eq!(prove(&scene, Some(7.0)), None);
+    assert_eq!(prove(&scene, None), None);
+}
+
+#[test]
+fn an_object_close_to_the_edge_of_the_area_is_pinned_there() {
+    let half_diagonal = 0.5 * 0.05_f64.hypot(0.05);
+    let at_gap = |gap: f64| {
+        let mut scene = hall(10.0, 6.0, 2.0, 9.0);
+        scene.objects.push(cube(5.0, 6.0 - gap - half_diagonal));
+        scene
+    };
+    for gap in [0.01, 0.2, 0.239] {
+        let proof = proven(&at_gap(gap), Some(1.5));
+        let ProofKind::ObjectAtEdge {
+            object: 0,
+            gap: found,
+        } = proof.kind
+        else {
+            panic!("wrong kind: {proof:?}")
+        };
+        assert!((found - gap).abs() < 1e-9);
+        assert!(proof.message.contains("the edge of the area"));
+    }
+    assert_eq!(prove(&at_gap(0.241), Some(1.5)), None);
+    // The end line stands between.
+    let mut scene = at_gap(0.2);
+    let forward = std::f64::consts::FRAC_PI_2;
+    scene.end.left = Pose::new(4.5, 5.9, forward);
+    scene.end.right = Pose::new(5.5, 5.9, forward);
+    assert_eq!(prove(&scene, Some(1.5)), None);
+}
+
+#[test]
+fn proofs_hold_at_every_scale() {
+    let mut scene = hall(10.0, 6.0, 2.0, 9.0);
+    scene.obstacles.push(wall(4.0, -1.0, 4.2, 2.0));
+    scene.obstacles.push(wall(4.0, 2.3, 4.2, 7.0));
+    scene.objects.push(cube(8.0, 3.0));
+    let ProofKind::WayCut { place, .. } = proven(&scene, None).kind else {
+        panic!("wrong kind")
+    };
+    for factor in [0.02, 0.1, 10.0, 1000.0] {
+        let units = Units {
+            length: 1.0 / factor,
+            ..Units::SI
+        };
+        let ProofKind::WayCut { place: scaled, .. } = proven(&units.scene(&scene), None).kind
+        else {
+            panic!("factor {factor}")
+        };
+        assert!(
+            (scaled / factor).distance(place) < 0.1,
+            "{factor}: {scaled:?}"
+        );
+    }
 }
 
 #[test]

@@ -15,6 +15,7 @@ mod rehearsal;
 mod scales;
 mod scene;
 mod side;
+mod size;
 mod summary;
 mod trajectory;
 mod units;
@@ -33,6 +34,7 @@ pub use rehearsal::{RehearsalEvent, RehearsalEventKind, RehearsalFrame, Rehearsa
 pub use scales::Scales;
 pub use scene::{Area, Footprint, NetSpec, Object, Obstacle, OccupancyMap, PairPose, Robot, Scene};
 pub use side::Side;
+pub use size::RobotSize;
 pub use summary::{
     ClaimSummary, Event, ExecutionSummary, Frames, LengthCurve, LengthPoint, Limit, Line, Panel,
     Ribbon, Role, Sampling, SceneOutline, StageTime, Summary, TrialSummary,

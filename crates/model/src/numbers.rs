@@ -13,6 +13,28 @@ pub fn length(meters: f64) -> String {
     scaled(meters, "m")
 }
 
+/// A length given in m that is enough: as [`length`] shows it, rounded up, so that whoever follows the advice has done so.
+pub fn enough_length(meters: f64) -> String {
+    length(shown_steps(meters, f64::ceil, -1e-6))
+}
+
+/// A length given in m that is not too much: as [`length`] shows it, rounded down.
+pub fn most_length(meters: f64) -> String {
+    length(shown_steps(meters, f64::floor, 1e-6))
+}
+
+/// The length rounded to the last decimal that [`length`] shows; what is a whole number of them but for rounding stays.
+fn shown_steps(meters: f64, round: fn(f64) -> f64, hair: f64) -> f64 {
+    let steps_per_meter = match meters.abs() {
+        s if s < 0.009_99 => 1e5,
+        s if s < 99.99 => 1e3,
+        s if s < 999.0 => 10.0,
+        s if s < 99_999.0 => 1.0,
+        _ => 0.01,
+    };
+    round(meters * steps_per_meter + hair) / steps_per_meter
+}
+
 /// A speed given in m/s: `0.260 m/s`, `5.40 mm/s`.
 pub fn speed(meters_per_second: f64) -> String {
     scaled(meters_per_second, "m/s")

@@ -1,4 +1,4 @@
-use crate::{Circle, PairPose, PairTrajectory, Scene, Units};
+use crate::{Circle, PairPose, PairTrajectory, Robot, Scene, Units};
 use pairtrawl_geometry::{Point, Pose};
 
 /// The scale of a scene: the planner works in units of it, so that it sees every machine as one of the paper's size.
@@ -10,22 +10,23 @@ use pairtrawl_geometry::{Point, Pose};
 pub struct Scales {
     /// The unit of length, m: the robot radius over that of the paper's machine, 0.24 m.
     pub length: f64,
-    /// The greatest step, `planner.max_step`, in units of `length`.
-    pub step: f64,
 }
 
 /// Radius of the machine whose unit of length is 1 m, m.
-const PAPER_RADIUS: f64 = 0.24;
+pub(crate) const PAPER_RADIUS: f64 = 0.24;
 
 impl Scales {
-    /// The scale of a scene. It is 1 for a robot without a usable radius, which later checks refuse.
+    /// The scale of a scene.
     pub fn of(scene: &Scene) -> Self {
-        let radius = scene.robot.radius;
+        Self::of_robot(&scene.robot)
+    }
+
+    /// The scale of a robot. It is 1 for one without a usable radius, which later checks refuse.
+    pub fn of_robot(robot: &Robot) -> Self {
+        let radius = robot.radius;
         let usable = radius.is_finite() && radius > 0.0;
-        let length = if usable { radius / PAPER_RADIUS } else { 1.0 };
         Self {
-            length,
-            step: scene.planner.max_step / length,
+            length: if usable { radius / PAPER_RADIUS } else { 1.0 },
         }
     }
 

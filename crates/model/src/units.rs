@@ -117,34 +117,54 @@ impl Units {
                     .as_ref()
                     .map(|points| points.iter().map(|&p| point(p)).collect()),
             },
-            planner: PlannerParameters {
-                max_step: length(planner.max_step),
-                clearance: length(planner.clearance),
-                cruise: tidy(planner.cruise / self.speed()),
-                half_separation: length(planner.half_separation),
-                circle_margin: planner.circle_margin.map(length),
-                k2: tidy(planner.k2 / (l * l)),
-                t1: tidy(planner.t1 * l),
-                kd2: tidy(planner.kd2 * (l * l)),
-                b1: tidy(planner.b1 * (l * l)),
-                b2: tidy(planner.b2 * (l * l)),
-                ..*planner
-            },
-            physics: PhysicsParameters {
-                gravity: tidy(physics.gravity * time * time / l),
-                robot_mass: tidy(physics.robot_mass / mass),
-                robot_inertia: tidy(physics.robot_inertia / (mass * l * l)),
-                center_of_mass: length(physics.center_of_mass),
-                wheel_radius: length(physics.wheel_radius),
-                max_torque: tidy(physics.max_torque / self.torque()),
-                net_mass: tidy(physics.net_mass * l / mass),
-                net_link: length(physics.net_link),
-                net_thickness: length(physics.net_thickness),
-                net_height: length(physics.net_height),
-                hinge_damping: tidy(physics.hinge_damping / (self.torque() * time)),
-                tension_limit: tidy(physics.tension_limit / self.force()),
-                ..*physics
-            },
+            planner: self.planner(planner, &tidy),
+            physics: self.physics(physics, &tidy),
+        }
+    }
+
+    pub(crate) fn planner(
+        &self,
+        planner: &PlannerParameters,
+        tidy: impl Fn(f64) -> f64,
+    ) -> PlannerParameters {
+        let l = self.length;
+        let length = |x: f64| tidy(x / l);
+        PlannerParameters {
+            max_step: length(planner.max_step),
+            clearance: length(planner.clearance),
+            cruise: tidy(planner.cruise / self.speed()),
+            half_separation: length(planner.half_separation),
+            circle_margin: planner.circle_margin.map(length),
+            k2: tidy(planner.k2 / (l * l)),
+            t1: tidy(planner.t1 * l),
+            kd2: tidy(planner.kd2 * (l * l)),
+            b1: tidy(planner.b1 * (l * l)),
+            b2: tidy(planner.b2 * (l * l)),
+            ..*planner
+        }
+    }
+
+    pub(crate) fn physics(
+        &self,
+        physics: &PhysicsParameters,
+        tidy: impl Fn(f64) -> f64,
+    ) -> PhysicsParameters {
+        let (l, time, mass) = (self.length, self.time, self.mass);
+        let length = |x: f64| tidy(x / l);
+        PhysicsParameters {
+            gravity: tidy(physics.gravity * time * time / l),
+            robot_mass: tidy(physics.robot_mass / mass),
+            robot_inertia: tidy(physics.robot_inertia / (mass * l * l)),
+            center_of_mass: length(physics.center_of_mass),
+            wheel_radius: length(physics.wheel_radius),
+            max_torque: tidy(physics.max_torque / self.torque()),
+            net_mass: tidy(physics.net_mass * l / mass),
+            net_link: length(physics.net_link),
+            net_thickness: length(physics.net_thickness),
+            net_height: length(physics.net_height),
+            hinge_damping: tidy(physics.hinge_damping / (self.torque() * time)),
+            tension_limit: tidy(physics.tension_limit / self.force()),
+            ..*physics
         }
     }
 }

@@ -3,7 +3,7 @@
 use pairtrawl_geometry::{Point, Pose};
 use pairtrawl_model::{
     Area, Circle, Footprint, NetSpec, Object, Obstacle, OccupancyMap, PairPose, PairTrajectory,
-    PhysicsParameters, PlannerParameters, Robot, Scales, Scene, Units,
+    PhysicsParameters, PlannerParameters, Robot, RobotSize, Scales, Scene, Units,
 };
 
 fn scene() -> Scene {
@@ -190,7 +190,7 @@ fn every_number_is_scaled_by_its_unit() {
 fn the_default_machine_has_scale_one_and_its_scene_keeps_its_bits() {
     let scene = scene();
     let scales = Scales::of(&scene);
-    assert_eq!((scales.length, scales.step), (1.0, 0.05));
+    assert_eq!(scales.length, 1.0);
     assert_eq!(scales.scene(&scene), scene);
 }
 
@@ -203,7 +203,6 @@ fn a_large_machine_looks_like_the_default_one() {
     .scene(&scene());
     let scales = Scales::of(&tenfold);
     assert!((scales.length - 10.0).abs() < 1e-12);
-    assert!((scales.step - 0.05).abs() < 1e-15);
     let back = scales.scene(&tenfold);
     let near = |a: f64, b: f64| (a - b).abs() <= 1e-12 * b.abs();
     assert!(near(back.end.left.y, 4.41) && near(back.net.length.unwrap_or(0.0), 2.3));
@@ -251,4 +250,56 @@ fn ends_come_back_as_the_scenes_own() {
     assert!((circle.radius - 0.385).abs() < 1e-15 && circle.objects == [3]);
     assert!((circle.center.y - 1.54).abs() < 1e-15);
     assert!((scales.meters(scales.scaled(2.0)) - 2.0).abs() < 1e-13);
+}
+
+#[test]
+fn defaults_follow_from_the_size_of_the_robot() {
+    let robot = |radius: f64, v_max: f64| Robot {
+        radius,
+        v_max,
+        ..Robot::default()
+    };
+    for radius in [0.17, 0.22, 0.24, 0.3, 0.339] {
+        let robot = robot(radius, 0.26);
+        let size = RobotSize::of(&robot);
+        assert_eq!(size.planner(&robot), PlannerParameters::default());
+        assert_eq!(size.physics(), PhysicsParameters::default());
+    }
+    let tractor = robot(0.96, 2.6);
+    let size = RobotSize::of(&tractor);
+    assert_eq!(size.times, 4.0);
+    let (planner, physics) = (size.planner(&tractor), size.physics());
+    assert_eq!(
+        (planner.max_step, planner.clearance, planner.half_separation),
+        (0.2, 0.2, 1.2)
+    );
+    assert_eq!(
+        (planner.max_turn, planner.waypoints, planner.kd1),
+        (0.1, None, 20.0)
+    );
+    assert_eq!(
+        (planner.t1, planner.b1, planner.kd2, planner.k2),
+        (75.0, 110.0 / 16.0, 15.0 / 16.0, 16e7)
+    );
+    assert!((planner.cruise - 2.2).abs() < 1e-12);
+    assert_eq!((physics.gravity, physics.robot_mass), (9.81, 1.43 * 64.0));
+    assert_eq!(
+        (physics.robot_inertia, physics.max_torque),
+        (0.0146 * 1024.0, 3.0 * 256.0)
+    );
+    assert_eq!(
+        (physics.net_mass, physics.net_link, physics.tension_limit),
+        (0.32, 0.4, 640.0)
+    );
+    assert_eq!(physics.hinge_damping, 1e-3 * 512.0);
+    assert_eq!((size.length(0.05), size.mass(0.025)), (0.2, 1.6));
+    for (radius, times) in [
+        (0.16, 0.5),
+        (0.35, 2.0),
+        (240.0, 1024.0),
+        (0.0048, 1.0 / 64.0),
+        (0.0, 1.0),
+    ] {
+        assert_eq!(RobotSize::of(&robot(radius, 0.26)).times, times, "{radius}");
+    }
 }

@@ -131,7 +131,11 @@ impl Course<'_> {
         if best.certificate.is_valid() {
             Ok(best)
         } else {
-            Err(PlanError::no_plan(&best, self.options.rounds))
+            Err(PlanError::no_plan(
+                &best,
+                self.options.rounds,
+                self.scene.planner.max_step,
+            ))
         }
     }
 

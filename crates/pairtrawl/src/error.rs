@@ -1,6 +1,7 @@
 use crate::Stage;
 use crate::attempt::Attempt;
 use pairtrawl_geometry::Point;
+use pairtrawl_model::numbers::length;
 use pairtrawl_model::{ClaimId, Rehearsal, SolverStatus};
 use pairtrawl_route::RouteError;
 use pairtrawl_simulation::SimulationError;
@@ -72,8 +73,38 @@ impl PlanError {
         }
     }
 
-    /// After the last round: the claim that failed most in the best attempt.
-    pub(crate) fn no_plan(best: &Attempt, rounds: usize) -> Self {
+    /// The course that was found takes more steps than there are waypoints for.
+    fn too_few_waypoints(best: &Attempt, max_step: f64) -> Option<Self> {
+        let (left, right) = best.baseline.path_lengths();
+        let course = left.max(right);
+        let waypoints = best.baseline.len();
+        let reach = waypoints.saturating_sub(1) as f64 * max_step;
+        (course > reach).then(|| {
+            let needed = (course / max_step).ceil() as usize + 1;
+            Self::NoPlan {
+                reason: format!(
+                    "{waypoints} waypoints with steps of at most {} cover {}, but the course found is {} long",
+                    length(max_step),
+                    length(reach),
+                    length(course)
+                ),
+                claim: Some(ClaimId::Step),
+                step: None,
+                place: None,
+                margin: Some(reach - course),
+                remedy: format!(
+                    "give at least {needed} waypoints (planner.waypoints, --waypoints), leave their number to the planner, or \
+                     raise planner.max_step"
+                ),
+            }
+        })
+    }
+
+    /// After the last round: the claim that failed most in the best attempt. `max_step` in m.
+    pub(crate) fn no_plan(best: &Attempt, rounds: usize, max_step: f64) -> Self {
+        if let Some(error) = Self::too_few_waypoints(best, max_step) {
+            return error;
+        }
         let worst = best
             .certificate
             .claims

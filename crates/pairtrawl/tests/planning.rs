@@ -269,3 +269,36 @@ fn the_time_law_goes_with_the_plan() {
         );
     }
 }
+
+#[test]
+fn a_course_longer_than_the_waypoints_reach_is_named_with_the_number_needed() {
+    // Start and end are close enough; the way between them is not straight.
+    let loaded = scene("witness-2");
+    let steps = |plan: &Planned| {
+        let (left, right) = plan.plan.trajectory.path_lengths();
+        (left.max(right) / 0.05).ceil() as usize
+    };
+    let needed = steps(&planned(&loaded, &quick()));
+    let apart = loaded
+        .scene
+        .start
+        .midpoint()
+        .distance(loaded.scene.end.midpoint());
+    let few = (2.0 * apart / 0.05) as usize;
+    assert!(few < needed * 9 / 10, "{few} of {needed}");
+    let options = PlanOptions {
+        waypoints: Some(few),
+        explore: false,
+        ..quick()
+    };
+    let error = plan(&loaded.scene, &loaded.reference, &options, &mut ()).expect_err("too few");
+    let message = error.to_string();
+    assert!(message.contains(&format!("{few} waypoints")), "{message}");
+    let remedy = error.remedy().expect("a remedy");
+    assert!(remedy.starts_with("give at least"), "{remedy}");
+    let named: usize = remedy
+        .split(' ')
+        .find_map(|word| word.parse().ok())
+        .expect("a number");
+    assert!(named.abs_diff(needed) < needed / 5, "{named}, {needed}");
+}

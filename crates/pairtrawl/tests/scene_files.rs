@@ -236,7 +236,7 @@ fn messages_name_line_field_value_and_bound() {
     let error = refusal(&hall("size = [0.05, 0.06]", "size = [0.05, -0.06]"));
     assert_eq!(
         error.to_string(),
-        "hall.toml:15: objects[0].size[1] is -0.06, it must be a number, above zero and at most 1000"
+        "hall.toml:15: objects[0].size[1] is -0.06, it must be a number, above zero and at most 1e6"
     );
 }
 
@@ -484,15 +484,119 @@ fn a_net_shorter_than_the_start_is_no_bad_input() {
 }
 
 #[test]
-fn swapped_sides_are_noticed() {
-    let text = hall(
-        "left = [0.7, 0.5]\nright = [1.3, 0.5]",
-        "left = [1.3, 0.5]\nright = [0.7, 0.5]",
-    );
-    let warnings = parse_scene(&text, "hall.toml").unwrap().warnings;
+fn swapped_sides_are_refused() {
+    for (key, from, to) in [
+        (
+            "start",
+            "left = [0.7, 0.5]\nright = [1.3, 0.5]",
+            "left = [1.3, 0.5]\nright = [0.7, 0.5]",
+        ),
+        ("start", "heading = 1.5", "heading = -1.5"),
+    ] {
+        let message = refusal(&hall(from, to)).to_string();
+        let expected = format!("{key}.left lies to the right of {key}.right");
+        assert!(
+            message.contains(&expected) && message.contains("swapped?"),
+            "{message}"
+        );
+    }
+}
+
+#[test]
+fn degrees_are_refused() {
+    let message = refusal(&hall("heading = 1.5", "heading = 90")).to_string();
     assert!(
-        warnings.len() == 1 && warnings[0].contains("swapped"),
-        "{warnings:?}"
+        message.contains("start.heading is 90, it must be a number, an angle between -2 pi and 2 pi (rad): degrees?"),
+        "{message}"
+    );
+    assert!(parse_scene(&hall("heading = 1.5", "heading = -4.7"), "hall.toml").is_ok());
+}
+
+#[test]
+fn a_slow_cruise_speed_is_warned_about() {
+    let warnings = |cruise: f64| {
+        let text = format!("{HALL}[planner]\ncruise = {cruise}\n");
+        parse_scene(&text, "hall.toml").unwrap().warnings
+    };
+    assert!(warnings(0.06).is_empty());
+    let slow = warnings(0.02);
+    assert!(
+        slow.len() == 1 && slow[0].contains("planner.cruise") && slow[0].contains("13 times"),
+        "{slow:?}"
+    );
+}
+
+/// The hall with all its lengths `factor` times as large and a robot to suit.
+fn large_hall(factor: f64) -> String {
+    format!(
+        "format = \"pairtrawl-scene/1\"\n[area]\nmin = [0, 0]\nmax = [{}, {}]\n\
+         [start]\nleft = [{}, {}]\nright = [{}, {}]\nheading = 1.5\n\
+         [end]\nleft = [{}, {}]\nright = [{}, {}]\nheading = 1.5\n\
+         [[objects]]\nposition = [{}, {}]\nradius = {}\n[robot]\nradius = {}\nv_max = {}\n",
+        6.0 * factor,
+        5.0 * factor,
+        0.7 * factor,
+        0.5 * factor,
+        1.3 * factor,
+        0.5 * factor,
+        2.7 * factor,
+        4.0 * factor,
+        3.3 * factor,
+        4.0 * factor,
+        2.0 * factor,
+        2.0 * factor,
+        0.035 * factor,
+        0.24 * factor,
+        0.26 * factor,
+    )
+}
+
+#[test]
+fn defaults_follow_from_the_robot() {
+    let scene = |factor: f64| {
+        let text = large_hall(factor);
+        parse_scene(&text, "hall.toml")
+            .unwrap_or_else(|error| panic!("{error}"))
+            .scene
+    };
+    let paper = scene(1.0);
+    assert_eq!(paper.planner, PlannerParameters::default());
+    assert_eq!(paper.physics, PhysicsParameters::default());
+    assert_eq!(
+        (paper.area.resolution, paper.objects[0].mass),
+        (0.05, 0.025)
+    );
+    let large = scene(4.0);
+    assert_eq!((large.planner.max_step, large.planner.t1), (0.2, 75.0));
+    assert!((large.planner.cruise - 0.88).abs() < 1e-12);
+    assert_eq!((large.area.resolution, large.objects[0].mass), (0.2, 1.6));
+    assert_eq!(large.physics.robot_mass, 1.43 * 64.0);
+    for factor in [0.02, 0.1, 10.0, 100.0, 1000.0] {
+        let scene = scene(factor);
+        let steps = scene.planner.max_step / scene.robot.radius;
+        assert!(
+            (0.7..1.5).contains(&(steps / (0.05 / 0.24))),
+            "{factor}: {steps}"
+        );
+    }
+}
+
+#[test]
+fn a_step_is_no_leap() {
+    let text = format!("{}[planner]\nmax_step = 51\n", large_hall(1000.0));
+    assert_eq!(
+        parse_scene(&text, "hall.toml")
+            .unwrap()
+            .scene
+            .planner
+            .max_step,
+        51.0
+    );
+    let text = format!("{HALL}[planner]\nmax_step = 1.5\n");
+    assert!(
+        refusal(&text)
+            .to_string()
+            .contains("planner.max_step is 1.5")
     );
 }
 

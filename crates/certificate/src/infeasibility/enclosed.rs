@@ -2,9 +2,10 @@ use super::free_space::{FreeSpace, Reached, Run, runs};
 use super::joined::joined;
 use super::narrowest::narrowest;
 use super::things::Things;
-use super::{CAUTION, Proof, ProofKind, rounded_up};
+use super::{CAUTION, Proof, ProofKind};
 use pairtrawl_geometry::{Bounds, Convex, Hull, Point, Polygon, Segment};
 use pairtrawl_model::Scene;
+use pairtrawl_model::numbers::{enough_length, length, place};
 
 /// What is known of an object.
 pub(super) enum Verdict {
@@ -22,7 +23,8 @@ const TOUCH: f64 = 1e-6;
 const CLOSE_BY: f64 = 4.0;
 /// A sure place is sought among this many of the nearest cells.
 const TRIES: usize = 64;
-/// Walls are looked for as chains of cells once the cells' diagonal is below this, m.
+/// Walls are looked for as chains of cells once the cells' diagonal is below this, in units of the length
+/// scale.
 const FINE: f64 = 0.2;
 /// d_max is at most this many times the separation at the start (claim `separation`).
 const MOST_LENGTH: f64 = 10.0;
@@ -60,7 +62,7 @@ pub(super) fn judge(
     let mut view = View::new(things, center, reach);
     for (run, may) in runs(scene).into_iter().zip(&reached.may) {
         let mut possible = view.is_possible(space, may);
-        if possible && space.size().norm() < FINE {
+        if possible && space.size().norm() < FINE * things.scale {
             if view.joined.is_none() {
                 view.joined = joined(things, space, center, reach);
             }
@@ -228,10 +230,7 @@ fn proof(
     let scene = things.scene;
     let center = scene.objects[object].position;
     let keep = scene.robot.radius + scene.objects[object].footprint_radius();
-    let here = format!(
-        "object {object} at ({:.3}, {:.3}) is enclosed",
-        center.x, center.y
-    );
+    let here = format!("object {object} at {} is enclosed", place(center));
     // Would a longer net do? Cells in sight beyond the reach.
     let longest = longest_net(scene) - keep;
     let view = View::new(things, center, longest);
@@ -246,10 +245,12 @@ fn proof(
     }
     let message = if nearest <= longest && nearest > reach {
         format!(
-            "{here}: the {robot} can stand no nearer than {nearest:.3} m with a free line to it, but this net lets it be at \
-             most {reach:.3} m away; lengthen the net to at least {:.3} m, or open a gap of {:.3} m in what encloses it",
-            rounded_up(nearest + keep),
-            2.0 * scene.robot.radius
+            "{here}: the {robot} can stand no nearer than {} with a free line to it, but this net lets it be at most {} away; \
+             lengthen the net to at least {}, or open a gap of {} in what encloses it",
+            length(nearest),
+            length(reach),
+            enough_length(nearest + keep),
+            enough_length(2.0 * scene.robot.radius)
         )
     } else {
         let narrowest = narrowest(things, start, center, Some(object));

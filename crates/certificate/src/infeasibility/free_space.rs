@@ -2,13 +2,14 @@ use super::things::Things;
 use pairtrawl_geometry::{Bounds, Point};
 use pairtrawl_model::Scene;
 
-/// The coarsest cells, m.
+/// The coarsest cells, in units of the length scale.
 const COARSEST: f64 = 0.4;
-/// Cells are not made finer than this, m ...
+/// Cells are not made finer than this, in units of the length scale ...
 const FINEST: f64 = 0.005;
 /// ... nor more than this many: what is still open then stays unproven.
 const MOST_CELLS: usize = 2_000_000;
-/// Below this diagonal a robot that stands in a mixed cell is taken to get to its neighbors, m.
+/// Below this diagonal a robot that stands in a mixed cell is taken to get to its neighbors, in units
+/// of the length scale.
 const FINE: f64 = 0.08;
 /// Distances this close to the radius leave a cell undecided, m: rounding and the tolerance of the claims.
 const CLOSE: f64 = 1e-6;
@@ -31,6 +32,8 @@ pub(super) struct FreeSpace {
     columns: usize,
     rows: usize,
     cells: Vec<Cell>,
+    /// The scene's length scale, m.
+    scale: f64,
 }
 
 /// A robot with the places where it starts and ends.
@@ -68,7 +71,7 @@ impl FreeSpace {
         let extent = area.max - area.min;
         let longest = extent.x.max(extent.y);
         // Areas too large for the coarsest cells get larger ones.
-        let cell = COARSEST.max(longest / (MOST_CELLS as f64).sqrt());
+        let cell = (COARSEST * things.scale).max(longest / (MOST_CELLS as f64).sqrt());
         let count = |length: f64| ((length / cell).ceil() as usize).max(1);
         let (columns, rows) = (count(extent.x), count(extent.y));
         let size = Point::new(extent.x / columns as f64, extent.y / rows as f64);
@@ -78,6 +81,7 @@ impl FreeSpace {
             columns,
             rows,
             cells: vec![Cell::Mixed; columns * rows],
+            scale: things.scale,
         };
         space.classify(things);
         space
@@ -86,7 +90,7 @@ impl FreeSpace {
     /// The grid with cells of half the size; `None` at the limit.
     pub(super) fn refined(&self, things: &Things<'_>) -> Option<Self> {
         let (columns, rows, size) = (2 * self.columns, 2 * self.rows, self.size * 0.5);
-        if size.x.max(size.y) < FINEST || columns * rows > MOST_CELLS {
+        if size.x.max(size.y) < FINEST * things.scale || columns * rows > MOST_CELLS {
             return None;
         }
         let parent = |i: usize| self.cells[(i / columns / 2) * self.columns + (i % columns) / 2];
@@ -96,6 +100,7 @@ impl FreeSpace {
             columns,
             rows,
             cells: (0..columns * rows).map(parent).collect(),
+            scale: self.scale,
         };
         space.classify(things);
         Some(space)
@@ -204,7 +209,7 @@ impl FreeSpace {
     /// a mixed cell on every grid. What is sure only ends the search, so that this cannot make a proof false.
     fn at(&self, p: Point) -> impl Iterator<Item = usize> + use<> {
         let own = self.index(p);
-        let fine = self.size.norm() < FINE;
+        let fine = self.size.norm() < FINE * self.scale;
         self.neighbors(own).filter(move |&i| fine || i == own)
     }
 

@@ -1,11 +1,11 @@
-use super::rounded_up;
 use super::things::Things;
 use pairtrawl_geometry::Point;
+use pairtrawl_model::numbers::{self, enough_length, length, most_length};
 use std::collections::BinaryHeap;
 
 /// The grid on which the widest way is sought has about this many cells at most.
 const CELLS: f64 = 200_000.0;
-/// ... and no cells smaller than this, m.
+/// ... and no cells smaller than this, in units of the length scale.
 const SMALLEST: f64 = 0.02;
 
 /// Where the widest way is narrowest: words for people, found on a grid of samples. No part of a proof.
@@ -26,7 +26,9 @@ pub(super) fn narrowest(
 ) -> Narrowest {
     let area = things.scene.area;
     let extent = area.max - area.min;
-    let cell = (extent.x * extent.y / CELLS).sqrt().max(SMALLEST);
+    let cell = (extent.x * extent.y / CELLS)
+        .sqrt()
+        .max(SMALLEST * things.scale);
     let count = |length: f64| ((length / cell).ceil().min(CELLS) as usize).max(1);
     let (columns, rows) = (count(extent.x), count(extent.y));
     let size = Point::new(extent.x / columns as f64, extent.y / rows as f64);
@@ -45,8 +47,9 @@ pub(super) fn narrowest(
     // Wider than this is wide enough; what a robot passes easily need not be told apart.
     let bound = 2.0 * things.scene.robot.radius;
     let clearance = |p: Point| things.nearest(p, bound, skip).map_or(bound, |(d, _)| d);
-    // Dijkstra's algorithm for the way whose least clearance is greatest; keys in nanometers, so that they have an order.
-    let key = |c: f64| (c * 1e9) as i64;
+    // Dijkstra's algorithm for the way whose least clearance is greatest; keys are whole
+    // numbers of a billionth of the scale, so that they have an order.
+    let key = |c: f64| (c / things.scale * 1e9) as i64;
     let (start, goal) = (index(from), index(to));
     let mut done = vec![false; columns * rows];
     let mut heap = BinaryHeap::from([(i64::MAX, start, start)]);
@@ -82,16 +85,18 @@ fn describe(things: &Things<'_>, place: Point, cell: f64, skip: Option<usize>) -
     let radius = things.scene.robot.radius;
     let needed = 2.0 * radius;
     let Point { x, y } = place;
+    let near = numbers::place(place);
     let Some((clearance, first)) = things.nearest(place, f64::INFINITY, skip) else {
         return Narrowest {
             place,
             width: 0.0,
-            words: format!("near ({x:.2}, {y:.2})"),
+            words: format!("near {near}"),
         };
     };
     if clearance <= 0.0 {
         let words = format!(
-            "{first} closes it near ({x:.2}, {y:.2}): open a gap of at least {needed:.3} m there"
+            "{first} closes it near {near}: open a gap of at least {} there",
+            enough_length(needed)
         );
         return Narrowest {
             place,
@@ -101,9 +106,9 @@ fn describe(things: &Things<'_>, place: Point, cell: f64, skip: Option<usize>) -
     }
     let advice = |width: f64| {
         format!(
-            "widen it by at least {:.3} m or take robots of at most {:.3} m radius",
-            rounded_up(needed - width),
-            0.5 * width
+            "widen it by at least {} or take robots of at most {} radius",
+            enough_length(needed - width),
+            most_length(0.5 * width)
         )
     };
     let area = things.scene.area;
@@ -119,7 +124,9 @@ fn describe(things: &Things<'_>, place: Point, cell: f64, skip: Option<usize>) -
         let width = things.between(first, second).max(0.0);
         if width < needed {
             let words = format!(
-                "the gap between {first} and {second} near ({x:.2}, {y:.2}) is {width:.3} m wide, a robot needs {needed:.3} m: {}",
+                "the gap between {first} and {second} near {near} is {} wide, a robot needs {}: {}",
+                length(width),
+                length(needed),
                 advice(width)
             );
             return Narrowest {
@@ -132,9 +139,10 @@ fn describe(things: &Things<'_>, place: Point, cell: f64, skip: Option<usize>) -
     if to_edge <= cell {
         let width = clearance + to_edge;
         let words = format!(
-            "{first} leaves about {width:.3} m to the edge of the area near ({x:.2}, {y:.2}), where a robot's center needs \
-             {radius:.3} m: widen it by about {:.3} m",
-            rounded_up(radius - width)
+            "{first} leaves about {} to the edge of the area near {near}, where a robot's center needs {}: widen it by about {}",
+            length(width),
+            length(radius),
+            enough_length(radius - width)
         );
         return Narrowest {
             place,
@@ -144,7 +152,9 @@ fn describe(things: &Things<'_>, place: Point, cell: f64, skip: Option<usize>) -
     }
     let width = 2.0 * clearance;
     let words = format!(
-        "beside {first} near ({x:.2}, {y:.2}) it is about {width:.3} m wide, a robot needs {needed:.3} m: {}",
+        "beside {first} near {near} it is about {} wide, a robot needs {}: {}",
+        length(width),
+        length(needed),
         advice(width)
     );
     Narrowest {

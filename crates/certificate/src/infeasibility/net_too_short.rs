@@ -1,8 +1,9 @@
-use super::{CAUTION, Proof, ProofKind, rounded_up};
+use super::{CAUTION, Proof, ProofKind};
 use pairtrawl_model::Scene;
+use pairtrawl_model::numbers::{enough_length, length};
 
 /// The net cannot span the pair at its start or end, or cannot pass over an object between the robots.
-pub(super) fn prove(scene: &Scene, length: f64) -> Option<Proof> {
+pub(super) fn prove(scene: &Scene, net_length: f64) -> Option<Proof> {
     let hitch = scene.robot.hitch;
     let mut worst: Option<(f64, String)> = None;
     let mut require = |needed: f64, why: String| {
@@ -17,12 +18,18 @@ pub(super) fn prove(scene: &Scene, length: f64) -> Option<Proof> {
             .distance(pair.right.hitch_point(hitch));
         require(
             hitches,
-            format!("the hitch points at the {what} are {hitches:.3} m apart"),
+            format!(
+                "the hitch points at the {what} are {} apart",
+                length(hitches)
+            ),
         );
         let axles = pair.separation();
         require(
             axles,
-            format!("the robots' axle centers at the {what} are {axles:.3} m apart"),
+            format!(
+                "the robots' axle centers at the {what} are {} apart",
+                length(axles)
+            ),
         );
     }
     let largest = scene.objects.iter().enumerate().reduce(|a, b| {
@@ -38,17 +45,20 @@ pub(super) fn prove(scene: &Scene, length: f64) -> Option<Proof> {
         require(
             needed,
             format!(
-                "a line over object {i} with a robot on each side is at least {needed:.3} m long (two robot radii and its footprint circle of {diameter:.3} m)"
+                "a line over object {i} with a robot on each side is at least {} long (two robot radii and its footprint circle of {})",
+                length(needed),
+                length(diameter)
             ),
         );
     }
     let (needed, why) = worst?;
-    (length < needed - CAUTION).then(|| Proof {
+    (net_length < needed - CAUTION).then(|| Proof {
         kind: ProofKind::NetTooShort { needed },
         message: format!(
-            "the net is too short: {length} m, but {why}; lengthen it by at least {:.3} m, to {:.3} m",
-            rounded_up(needed - length),
-            rounded_up(needed)
+            "the net is too short: {}, but {why}; lengthen it by at least {}, to {}",
+            length(net_length),
+            enough_length(needed - net_length),
+            enough_length(needed)
         ),
     })
 }

@@ -1,10 +1,11 @@
 use super::things::{Thing, Things};
-use super::{CAUTION, Proof, ProofKind, rounded_up};
+use super::{CAUTION, Proof, ProofKind};
 use pairtrawl_geometry::{Point, Segment};
+use pairtrawl_model::numbers::{enough_length, length, place};
 use pairtrawl_model::{PairPose, Scene};
 use std::f64::consts::FRAC_PI_2;
 
-/// An object closer to an obstacle than two robot radii, and neither the first nor the last line passes between.
+/// An object closer to an obstacle than two robot radii, or closer to the edge of the area than one, and neither the first nor the last line passes between.
 pub(super) fn prove(things: &Things<'_>) -> Option<Proof> {
     let scene = things.scene;
     if !always_forward(scene) {
@@ -15,31 +16,77 @@ pub(super) fn prove(things: &Things<'_>) -> Option<Proof> {
     let wide = 2.0 * scene.robot.radius;
     scene.objects.iter().enumerate().find_map(|(i, object)| {
         let (center, rho) = (object.position, object.footprint_radius());
+        let passes = |foot: Point| {
+            let shortest = Segment::new(center, foot);
+            (lines.iter()).any(|line| line.gap_to_segment(&shortest).distance <= CAUTION)
+        };
+        let (to_edge, foot) = nearest_edge(scene, center);
+        let gap = to_edge - rho;
+        if gap < scene.robot.radius - CAUTION && to_edge > 0.0 && !passes(foot) {
+            return Some(at_edge(scene, i, gap));
+        }
         let near = things.obstacles.distances(center, wide + rho - CAUTION);
         near.into_iter().find_map(|(distance, part)| {
             if distance <= 0.0 || !has_inside(things, Thing::Obstacle(part)) {
                 return None; // The object is inside the obstacle: bad input. An obstacle without inside proves nothing.
             }
-            let foot = things.nearest_point(Thing::Obstacle(part), center);
-            let shortest = Segment::new(center, foot);
-            if lines.iter().any(|line| line.gap_to_segment(&shortest).distance <= CAUTION) {
+            if passes(things.nearest_point(Thing::Obstacle(part), center)) {
                 return None;
             }
             let gap = distance - rho;
-            let Point { x, y } = center;
             Some(Proof {
                 kind: ProofKind::ObjectPinned { object: i, gap },
                 message: format!(
-                    "object {i} at ({x:.3}, {y:.3}) cannot be swept: {} between its footprint circle and {part}, where a \
-                     robot needs {wide:.3} m to pass, so both robots pass on the same side of it, and the line between \
-                     them passes there neither at the start nor at the end; move the object at least {:.3} m away \
-                     from the obstacle",
-                    if gap > 0.0 { format!("there is only {gap:.3} m") } else { "there is no room".to_owned() },
-                    rounded_up(wide - gap),
+                    "object {i} at {} cannot be swept: {} between its footprint circle and {part}, where a robot needs {} to \
+                     pass, so both robots pass on the same side of it, and the line between them passes there neither at \
+                     the start nor at the end; move the object at least {} away from the obstacle",
+                    place(center),
+                    room(gap),
+                    length(wide),
+                    enough_length(wide - gap),
                 ),
             })
         })
     })
+}
+
+/// How far a point is from the edge of the area, and the nearest point there.
+fn nearest_edge(scene: &Scene, p: Point) -> (f64, Point) {
+    let (min, max) = (scene.area.min, scene.area.max);
+    let feet = [
+        (p.x - min.x, Point::new(min.x, p.y)),
+        (max.x - p.x, Point::new(max.x, p.y)),
+        (p.y - min.y, Point::new(p.x, min.y)),
+        (max.y - p.y, Point::new(p.x, max.y)),
+    ];
+    feet.into_iter()
+        .fold((f64::INFINITY, p), |a, b| if b.0 < a.0 { b } else { a })
+}
+
+/// Words for an object that no robot passes between it and the edge of the area.
+fn at_edge(scene: &Scene, object: usize, gap: f64) -> Proof {
+    let radius = scene.robot.radius;
+    Proof {
+        kind: ProofKind::ObjectAtEdge { object, gap },
+        message: format!(
+            "object {object} at {} cannot be swept: {} between its footprint circle and the edge of the area, where a robot's \
+             center needs {} to pass, so both robots pass on the same side of it; move the object at least {} away from \
+             the edge, or make the area larger",
+            place(scene.objects[object].position),
+            room(gap),
+            length(radius),
+            enough_length(radius - gap),
+        ),
+    }
+}
+
+/// Words for a gap.
+fn room(gap: f64) -> String {
+    if gap > 0.0 {
+        format!("there is only {}", length(gap))
+    } else {
+        "there is no room".to_owned()
+    }
 }
 
 /// True when every valid plan moves each point of the line between the robots forward at every instant: headings stay

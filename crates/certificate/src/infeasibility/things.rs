@@ -1,12 +1,14 @@
 use crate::obstacles::{Obstacles, Part};
 use pairtrawl_geometry::{Point, Segment};
-use pairtrawl_model::Scene;
+use pairtrawl_model::{Scales, Scene};
 use std::fmt;
 
 /// Everything that a robot's center keeps its radius from: obstacles and objects' footprint circles.
 pub(super) struct Things<'a> {
     pub(super) scene: &'a Scene,
     pub(super) obstacles: Obstacles<'a>,
+    /// The scene's length scale, m.
+    pub(super) scale: f64,
 }
 
 /// One of them.
@@ -28,9 +30,11 @@ impl fmt::Display for Thing {
 impl<'a> Things<'a> {
     /// `None` when an obstacle is malformed.
     pub(super) fn new(scene: &'a Scene) -> Option<Self> {
-        Obstacles::new(scene)
-            .ok()
-            .map(|obstacles| Self { scene, obstacles })
+        Obstacles::new(scene).ok().map(|obstacles| Self {
+            scene,
+            obstacles,
+            scale: Scales::of(scene).length,
+        })
     }
 
     /// The signed distance of a point to the nearest thing when it is below `bound`, leaving out one object.

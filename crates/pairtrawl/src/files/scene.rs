@@ -23,7 +23,7 @@ pub struct LoadedScene {
     pub scene: Scene,
     /// Its name and the hash of its files.
     pub reference: SceneReference,
-    /// What a person should know: thresholds, swapped sides.
+    /// What a person should know: thresholds, a slow cruise speed.
     pub warnings: Vec<String>,
 }
 
@@ -101,26 +101,27 @@ fn parse(path: &Path, text: &str, read_file: ReadFile<'_>) -> Result<LoadedScene
         .map_or(Ok("unnamed"), |v| v.text())?
         .to_owned();
 
-    let area = area::read(&root, path, read_file)?;
+    let robot = parameters::robot(&root)?;
+    let area = area::read(&root, &robot, path, read_file)?;
     let mut parts = vec![text.as_bytes()];
     parts.extend(area.hashed.iter().map(Vec::as_slice));
     let sha256 = sha256_hex(&parts);
 
+    let mut warnings = area.warnings;
     let scene = Scene {
         name,
         area: area.area,
         obstacles: shapes::obstacles(&root)?,
         map: area.map,
-        objects: shapes::objects(&root)?,
+        objects: shapes::objects(&root, &robot)?,
         start: pair(&root, "start")?,
         end: pair(&root, "end")?,
-        robot: parameters::robot(&root)?,
+        robot,
         net: parameters::net(&root)?,
-        planner: parameters::planner(&root)?,
-        physics: parameters::physics(&root)?,
+        planner: parameters::planner(&root, &robot, &mut warnings)?,
+        physics: parameters::physics(&root, &robot)?,
     };
-    let mut warnings = area.warnings;
-    checks::check(&scene, &root, &mut warnings)?;
+    checks::check(&scene, &root)?;
     let reference = SceneReference {
         name: scene.name.clone(),
         sha256,
@@ -135,7 +136,7 @@ fn parse(path: &Path, text: &str, read_file: ReadFile<'_>) -> Result<LoadedScene
 
 /// `[start]` or `[end]`.
 fn pair(root: &Table<'_>, key: &str) -> Result<PairPose, FileError> {
-    use super::toml_reader::Range::Angle;
+    use super::toml_reader::Range::Heading;
     use pairtrawl_geometry::Pose;
     let table = root
         .require(key, &format!("give [{key}] with left, right and heading"))?
@@ -152,8 +153,8 @@ fn pair(root: &Table<'_>, key: &str) -> Result<PairPose, FileError> {
         table.get("left_heading"),
         table.get("right_heading"),
     ) {
-        (Some(both), None, None) => (both.number(Angle)?, both.number(Angle)?),
-        (None, Some(left), Some(right)) => (left.number(Angle)?, right.number(Angle)?),
+        (Some(both), None, None) => (both.number(Heading)?, both.number(Heading)?),
+        (None, Some(left), Some(right)) => (left.number(Heading)?, right.number(Heading)?),
         (Some(both), _, _) => {
             let reason = "stands beside left_heading or right_heading: give heading for both robots, or one for each, not all";
             return Err(both.error(Problem::Conflict {

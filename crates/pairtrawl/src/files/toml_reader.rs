@@ -2,11 +2,14 @@
 
 use super::{FileError, Problem};
 use pairtrawl_geometry::Point;
+use std::f64::consts::TAU;
 use std::path::Path;
 use toml::de::{DeTable, DeValue};
 
 /// Greatest absolute value of a coordinate, m: beyond it millimeters drown in rounding.
 pub(super) const FARTHEST: f64 = 1e6;
+/// Greatest value of a number without another bound.
+const LARGEST: f64 = 1e15;
 
 /// The file that a value comes from.
 #[derive(Clone, Copy)]
@@ -38,29 +41,35 @@ pub(super) enum Range {
     UpTo(f64),
     /// A coordinate: within a thousand kilometers.
     Coordinate,
-    /// An angle: within a hundred radians.
-    Angle,
+    /// A length or a speed: above zero and at most as large as a coordinate may be.
+    Length,
+    /// A heading: within a turn to either side, in rad. Ninety is a number of degrees.
+    Heading,
 }
 
 impl Range {
     fn contains(self, x: f64) -> bool {
         match self {
-            // Beyond 1e12 products of parameters overflow.
-            Range::Positive => x > 0.0 && x <= 1e12,
-            Range::NotNegative => (0.0..=1e12).contains(&x),
+            // Beyond this products of parameters drown in rounding.
+            Range::Positive => x > 0.0 && x <= LARGEST,
+            Range::NotNegative => (0.0..=LARGEST).contains(&x),
             Range::UpTo(most) => x > 0.0 && x <= most,
             Range::Coordinate => x.abs() <= FARTHEST,
-            Range::Angle => x.abs() <= 100.0,
+            Range::Length => x > 0.0 && x <= FARTHEST,
+            Range::Heading => x.abs() <= TAU,
         }
     }
 
     fn text(self) -> String {
         match self {
-            Range::Positive => "above zero and at most 1e12".to_owned(),
-            Range::NotNegative => "at least zero and at most 1e12".to_owned(),
+            Range::Positive => format!("above zero and at most {LARGEST:e}"),
+            Range::NotNegative => format!("at least zero and at most {LARGEST:e}"),
             Range::UpTo(most) => format!("above zero and at most {most}"),
             Range::Coordinate => "a finite coordinate between -1e6 and 1e6 (m)".to_owned(),
-            Range::Angle => "an angle between -100 and 100 (rad)".to_owned(),
+            Range::Length => format!("above zero and at most {FARTHEST:e}"),
+            Range::Heading => {
+                "an angle between -2 pi and 2 pi (rad): degrees? Multiply by pi / 180".to_owned()
+            }
         }
     }
 }

@@ -5,12 +5,12 @@ use crate::files::limits::{MAP_IMAGE_BYTES, MAP_YAML_BYTES};
 use crate::files::toml_reader::{FARTHEST, Range, Table, Value};
 use crate::files::{FileError, Problem};
 use pairtrawl_geometry::Point;
-use pairtrawl_model::{Area, OccupancyMap};
-use pairtrawl_world::grid_size;
+use pairtrawl_model::{Area, OccupancyMap, Robot, RobotSize, Scales};
 use pairtrawl_world::ros_map::{MapMetadata, Unknown, decode};
+use pairtrawl_world::{WorldError, grid_size};
 use std::path::Path;
 
-/// Cell size of the occupancy grid when the scene gives none, m.
+/// Cell size of the occupancy grid when the scene gives none, m, for robots of the paper's size.
 const DEFAULT_RESOLUTION: f64 = 0.05;
 
 /// What `[area]` says.
@@ -24,6 +24,7 @@ pub(super) struct ReadArea {
 
 pub(super) fn read(
     root: &Table<'_>,
+    robot: &Robot,
     scene: &Path,
     read_file: ReadFile<'_>,
 ) -> Result<ReadArea, FileError> {
@@ -32,12 +33,12 @@ pub(super) fn read(
         .table()?;
     table.expect_keys(&["min", "max", "resolution", "map", "unknown"])?;
     match table.get("map") {
-        Some(map) => from_map(&table, &map, scene, read_file),
-        None => rectangle(&table),
+        Some(map) => from_map(&table, &map, robot, scene, read_file),
+        None => rectangle(&table, robot),
     }
 }
 
-fn rectangle(table: &Table<'_>) -> Result<ReadArea, FileError> {
+fn rectangle(table: &Table<'_>, robot: &Robot) -> Result<ReadArea, FileError> {
     let corner = |key| {
         table.require(
             key,
@@ -62,14 +63,19 @@ fn rectangle(table: &Table<'_>) -> Result<ReadArea, FileError> {
             reason,
         }));
     }
-    let mut resolution = DEFAULT_RESOLUTION;
+    let mut resolution = RobotSize::of(robot).length(DEFAULT_RESOLUTION);
     table.update("resolution", Range::Positive, &mut resolution)?;
     let area = Area {
         min,
         max,
         resolution,
     };
-    check_grid(table, &area)?;
+    let size = max - min;
+    check_grid(robot, size.x, size.y, resolution).map_err(|e| {
+        table
+            .get("resolution")
+            .map_or_else(|| table.error(e.clone()), |v| v.error(e.clone()))
+    })?;
     Ok(ReadArea {
         area,
         map: None,
@@ -78,19 +84,18 @@ fn rectangle(table: &Table<'_>) -> Result<ReadArea, FileError> {
     })
 }
 
-fn check_grid(table: &Table<'_>, area: &Area) -> Result<(), FileError> {
-    let size = area.max - area.min;
-    match grid_size(size.x, size.y, area.resolution) {
-        Ok(_) => Ok(()),
-        Err(e) => Err(table
-            .get("resolution")
-            .map_or_else(|| table.error(e.clone()), |v| v.error(e.clone()))),
-    }
+/// The grid that planning needs must not be too large; sizes in m.
+fn check_grid(robot: &Robot, width: f64, height: f64, resolution: f64) -> Result<(), WorldError> {
+    let Scales { length, .. } = Scales::of_robot(robot);
+    grid_size(width / length, height / length, resolution / length)
+        .map(|_| ())
+        .map_err(|error| error.in_meters(length))
 }
 
 fn from_map(
     table: &Table<'_>,
     map: &Value<'_>,
+    robot: &Robot,
     scene: &Path,
     read_file: ReadFile<'_>,
 ) -> Result<ReadArea, FileError> {
@@ -139,7 +144,7 @@ fn from_map(
         map.columns as f64 * map.resolution,
         map.rows as f64 * map.resolution,
     );
-    grid_size(width, height, map.resolution).map_err(|e| FileError::new(&yaml_path, e))?;
+    check_grid(robot, width, height, map.resolution).map_err(|e| FileError::new(&yaml_path, e))?;
     let warnings = decoded
         .warnings
         .iter()

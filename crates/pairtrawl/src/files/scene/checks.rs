@@ -3,19 +3,15 @@
 use crate::files::toml_reader::Table;
 use crate::files::{FileError, Problem};
 use pairtrawl_geometry::{Convex, Point, Pose};
-use pairtrawl_model::{Object, Obstacle, PairPose, Scene};
+use pairtrawl_model::{Object, Obstacle, PairPose, RobotSize, Scene};
 use pairtrawl_world::{convex_cover, footprint_outline, obstacle_pieces, overlap, signed_distance};
 
 /// Bounds hold to this, m, as in the certificate.
 const TOLERANCE: f64 = 1e-9;
-/// The ends of a given net lie this close to the hitches, m.
+/// The ends of a given net lie this close to the hitches, m, for robots of the paper's size.
 const NET_END_TOLERANCE: f64 = 0.01;
 
-pub(super) fn check(
-    scene: &Scene,
-    root: &Table<'_>,
-    warnings: &mut Vec<String>,
-) -> Result<(), FileError> {
+pub(super) fn check(scene: &Scene, root: &Table<'_>) -> Result<(), FileError> {
     let pieces = convex_cover(scene).map_err(|e| root.error(e))?;
     let objects = root.array("objects", usize::MAX)?;
     for (i, object) in scene.objects.iter().enumerate() {
@@ -28,17 +24,11 @@ pub(super) fn check(
     }
     for (key, pair) in [("start", &scene.start), ("end", &scene.end)] {
         let table = root.require(key, "")?.table()?;
-        if let Some((robot, reason)) = pair_trouble(scene, &pieces, pair) {
+        if let Some((robot, reason)) = pair_trouble(scene, &pieces, key, pair) {
             return Err(table.error(Problem::Conflict {
                 field: table.field(robot),
                 reason,
             }));
-        }
-        let normal = Point::unit(pair.normal_heading());
-        if pair.left.forward().dot(normal) < 0.0 && pair.right.forward().dot(normal) < 0.0 {
-            warnings.push(format!(
-                "{key}: both robots face against the side that is ahead when left is left: are left and right swapped?"
-            ));
         }
     }
     if let (Some(net), Some(table)) = (&scene.net.start, root.table("net")?)
@@ -80,6 +70,7 @@ fn object_trouble(scene: &Scene, pieces: &[Convex], object: &Object) -> Option<S
 fn pair_trouble(
     scene: &Scene,
     pieces: &[Convex],
+    key: &str,
     pair: &PairPose,
 ) -> Option<(&'static str, String)> {
     let radius = scene.robot.radius;
@@ -97,6 +88,15 @@ fn pair_trouble(
         if let Some(reason) = collision(scene, pieces, pose) {
             return Some((name, reason));
         }
+    }
+    // Seen along the headings of both, the side that is to the right must not be where the left robot stands.
+    let normal = Point::unit(pair.normal_heading());
+    if pair.left.forward().dot(normal) < 0.0 && pair.right.forward().dot(normal) < 0.0 {
+        let reason = format!(
+            "{key}.left lies to the right of {key}.right as seen along their headings: swapped? Exchange left and right, or \
+             turn the headings by pi"
+        );
+        return Some(("left", reason));
     }
     let separation = pair.separation();
     (separation < 2.0 * radius - TOLERANCE).then(|| {
@@ -136,14 +136,15 @@ fn collision(scene: &Scene, pieces: &[Convex], pose: Pose) -> Option<String> {
 
 fn net_trouble(scene: &Scene, net: &[Point]) -> Option<String> {
     let hitch = scene.robot.hitch;
+    let bound = RobotSize::of(&scene.robot).length(NET_END_TOLERANCE);
     for (name, end, robot) in [
         ("first", net.first(), scene.start.left),
         ("last", net.last(), scene.start.right),
     ] {
         let (end, tied) = (*end?, robot.hitch_point(hitch));
-        if end.distance(tied) > NET_END_TOLERANCE {
+        if end.distance(tied) > bound {
             return Some(format!(
-                "its {name} point ({}, {}) lies {:.3} m from the hitch at ({:.4}, {:.4}), the bound is {NET_END_TOLERANCE} m",
+                "its {name} point ({}, {}) lies {:.3} m from the hitch at ({:.4}, {:.4}), the bound is {bound} m",
                 end.x,
                 end.y,
                 end.distance(tied),

@@ -1,15 +1,20 @@
 //! `[robot]`, `[net]`, `[planner]` and `[physics]`. Keys are named as the fields of the model's types.
 
 use crate::files::FileError;
-use crate::files::toml_reader::Range::{NotNegative, Positive, UpTo};
+use crate::files::toml_reader::Range::{Length, NotNegative, Positive, UpTo};
 use crate::files::toml_reader::{Range, Table};
-use pairtrawl_model::{NetSpec, PhysicsParameters, PlannerParameters, Robot};
+use pairtrawl_model::numbers::speed;
+use pairtrawl_model::{NetSpec, PhysicsParameters, PlannerParameters, Robot, RobotSize};
 use std::f64::consts::{FRAC_PI_2, PI};
 
 /// Bounds that keep a run finite.
 const MOST_WAYPOINTS: usize = 100_000;
 const MOST_ALTERNATIONS: usize = 10_000;
 const MOST_NET_POINTS: usize = 10_000;
+/// Longest step of a machine of the paper's size, m: four radii, beyond which a step is a leap.
+const LONGEST_STEP: f64 = 1.0;
+/// A cruise speed below this part of the robot's greatest one is worth a warning.
+const SLOW: f64 = 0.2;
 
 pub(super) fn robot(root: &Table<'_>) -> Result<Robot, FileError> {
     let mut robot = Robot::default();
@@ -17,11 +22,11 @@ pub(super) fn robot(root: &Table<'_>) -> Result<Robot, FileError> {
         set(
             &table,
             &mut [
-                ("radius", UpTo(1e3), &mut robot.radius),
+                ("radius", Length, &mut robot.radius),
                 ("hitch", NotNegative, &mut robot.hitch),
-                ("v_max", UpTo(1e3), &mut robot.v_max),
+                ("v_max", Length, &mut robot.v_max),
                 ("omega_max", UpTo(1e3), &mut robot.omega_max),
-                ("half_track", UpTo(1e3), &mut robot.half_track),
+                ("half_track", Length, &mut robot.half_track),
             ],
             &[],
         )?;
@@ -34,10 +39,7 @@ pub(super) fn net(root: &Table<'_>) -> Result<NetSpec, FileError> {
         return Ok(NetSpec::default());
     };
     table.expect_keys(&["length", "start"])?;
-    let length = table
-        .get("length")
-        .map(|v| v.number(UpTo(1e3)))
-        .transpose()?;
+    let length = table.get("length").map(|v| v.number(Length)).transpose()?;
     let start = (table.get("start"))
         .map(|v| {
             v.elements(2, MOST_NET_POINTS)?
@@ -49,20 +51,26 @@ pub(super) fn net(root: &Table<'_>) -> Result<NetSpec, FileError> {
     Ok(NetSpec { length, start })
 }
 
-pub(super) fn planner(root: &Table<'_>) -> Result<PlannerParameters, FileError> {
-    let mut p = PlannerParameters::default();
+/// `[planner]`; what it leaves out follows from the robot.
+pub(super) fn planner(
+    root: &Table<'_>,
+    robot: &Robot,
+    warnings: &mut Vec<String>,
+) -> Result<PlannerParameters, FileError> {
+    let size = RobotSize::of(robot);
+    let mut p = size.planner(robot);
     let Some(table) = root.table("planner")? else {
         return Ok(p);
     };
     set(
         &table,
         &mut [
-            ("max_step", UpTo(1.0), &mut p.max_step),
+            ("max_step", UpTo(size.length(LONGEST_STEP)), &mut p.max_step),
             ("max_turn", UpTo(PI), &mut p.max_turn),
             ("max_skew", UpTo(FRAC_PI_2), &mut p.max_skew),
             ("clearance", NotNegative, &mut p.clearance),
-            ("cruise", UpTo(1e3), &mut p.cruise),
-            ("half_separation", UpTo(1e3), &mut p.half_separation),
+            ("cruise", Length, &mut p.cruise),
+            ("half_separation", Length, &mut p.half_separation),
             ("min_ratio", UpTo(1.0), &mut p.min_ratio),
             ("rest_ratio", UpTo(1.0), &mut p.rest_ratio),
             ("k1", NotNegative, &mut p.k1),
@@ -82,6 +90,14 @@ pub(super) fn planner(root: &Table<'_>) -> Result<PlannerParameters, FileError> 
         ],
         &["circle_margin", "waypoints", "alternations"],
     )?;
+    if p.cruise < SLOW * robot.v_max {
+        warnings.push(format!(
+            "planner.cruise is {}, less than a fifth of robot.v_max, {}: the run takes {:.0} times as long as it need",
+            speed(p.cruise),
+            speed(robot.v_max),
+            robot.v_max / p.cruise
+        ));
+    }
     if let Some(value) = table.get("circle_margin") {
         p.circle_margin = Some(value.number(NotNegative)?);
     }
@@ -129,8 +145,9 @@ fn ratio_problem(
     }
 }
 
-pub(super) fn physics(root: &Table<'_>) -> Result<PhysicsParameters, FileError> {
-    let mut p = PhysicsParameters::default();
+/// `[physics]`; what it leaves out follows from the robot's size.
+pub(super) fn physics(root: &Table<'_>, robot: &Robot) -> Result<PhysicsParameters, FileError> {
+    let mut p = RobotSize::of(robot).physics();
     let Some(table) = root.table("physics")? else {
         return Ok(p);
     };
@@ -138,16 +155,16 @@ pub(super) fn physics(root: &Table<'_>) -> Result<PhysicsParameters, FileError> 
         &table,
         &mut [
             ("gravity", UpTo(1e3), &mut p.gravity),
-            ("robot_mass", UpTo(1e6), &mut p.robot_mass),
-            ("robot_inertia", UpTo(1e6), &mut p.robot_inertia),
+            ("robot_mass", Positive, &mut p.robot_mass),
+            ("robot_inertia", Positive, &mut p.robot_inertia),
             ("center_of_mass", NotNegative, &mut p.center_of_mass),
-            ("wheel_radius", UpTo(1e3), &mut p.wheel_radius),
+            ("wheel_radius", Length, &mut p.wheel_radius),
             ("max_torque", Positive, &mut p.max_torque),
             ("wheel_friction", UpTo(1e3), &mut p.wheel_friction),
-            ("net_mass", UpTo(1e3), &mut p.net_mass),
-            ("net_link", UpTo(1e3), &mut p.net_link),
-            ("net_thickness", UpTo(1e3), &mut p.net_thickness),
-            ("net_height", UpTo(1e3), &mut p.net_height),
+            ("net_mass", Positive, &mut p.net_mass),
+            ("net_link", Length, &mut p.net_link),
+            ("net_thickness", Length, &mut p.net_thickness),
+            ("net_height", Length, &mut p.net_height),
             ("hinge_damping", NotNegative, &mut p.hinge_damping),
             ("net_friction", NotNegative, &mut p.net_friction),
             ("object_friction", NotNegative, &mut p.object_friction),

@@ -3,14 +3,14 @@
 use crate::files::toml_reader::{Range, Table, Value};
 use crate::files::{FileError, Problem};
 use pairtrawl_geometry::Point;
-use pairtrawl_model::{Footprint, Object, Obstacle};
+use pairtrawl_model::{Footprint, Object, Obstacle, Robot, RobotSize};
 
 /// Bounds that keep the quadratic checks and the visiting order in seconds.
 const MOST_OBSTACLES: usize = 10_000;
 const MOST_OBJECTS: usize = 1_000;
 const MOST_VERTICES: usize = 1_000;
 
-/// Mass of an object when the scene gives none, kg: that of the paper's cubes.
+/// Mass of an object when the scene gives none, kg, for robots of the paper's size: that of the paper's cubes.
 const DEFAULT_MASS: f64 = 0.025;
 
 pub(super) fn obstacles(root: &Table<'_>) -> Result<Vec<Obstacle>, FileError> {
@@ -20,10 +20,10 @@ pub(super) fn obstacles(root: &Table<'_>) -> Result<Vec<Obstacle>, FileError> {
         .collect()
 }
 
-pub(super) fn objects(root: &Table<'_>) -> Result<Vec<Object>, FileError> {
+pub(super) fn objects(root: &Table<'_>, robot: &Robot) -> Result<Vec<Object>, FileError> {
     root.array("objects", MOST_OBJECTS)?
         .iter()
-        .map(|v| object(&v.table()?))
+        .map(|v| object(&v.table()?, robot))
         .collect()
 }
 
@@ -45,7 +45,7 @@ fn obstacle(table: &Table<'_>) -> Result<Obstacle, FileError> {
         }
         (None, None, Some(value)) => {
             let [x, y, _] = value.numbers(Range::Coordinate)?;
-            let radius = value.elements(3, 3)?[2].number(Range::UpTo(1e6))?;
+            let radius = value.elements(3, 3)?[2].number(Range::Length)?;
             Ok(Obstacle::Circle { center: Point::new(x, y), radius })
         }
         (None, None, None) => Err(table.error(Problem::MissingKey {
@@ -59,17 +59,17 @@ fn obstacle(table: &Table<'_>) -> Result<Obstacle, FileError> {
     }
 }
 
-fn object(table: &Table<'_>) -> Result<Object, FileError> {
+fn object(table: &Table<'_>, robot: &Robot) -> Result<Object, FileError> {
     table.expect_keys(&["position", "size", "radius", "mass"])?;
     let position = table
         .require("position", "give the object's center, [x, y]")?
         .point()?;
     let footprint = match (table.get("size"), table.get("radius")) {
         (Some(size), None) => {
-            let [width, depth] = size.numbers(Range::UpTo(1e3))?;
+            let [width, depth] = size.numbers(Range::Length)?;
             Footprint::Box(width, depth)
         }
-        (None, Some(radius)) => Footprint::Disc(radius.number(Range::UpTo(1e3))?),
+        (None, Some(radius)) => Footprint::Disc(radius.number(Range::Length)?),
         (Some(size), Some(_)) => {
             return Err(conflict(
                 &size,
@@ -85,8 +85,8 @@ fn object(table: &Table<'_>) -> Result<Object, FileError> {
             }));
         }
     };
-    let mut mass = DEFAULT_MASS;
-    table.update("mass", Range::UpTo(1e3), &mut mass)?;
+    let mut mass = RobotSize::of(robot).mass(DEFAULT_MASS);
+    table.update("mass", Range::Positive, &mut mass)?;
     Ok(Object {
         position,
         footprint,
