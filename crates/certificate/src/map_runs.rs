@@ -126,7 +126,7 @@ impl<'a> MapRuns<'a> {
                 let next = runs.partition_point(|&(_, end)| end as f64 <= cell.x);
                 for &(start, end) in &runs[next.saturating_sub(1)..runs.len().min(next + 1)] {
                     let dx = (start as f64 - cell.x).max(cell.x - end as f64).max(0.0);
-                    let distance = dx.hypot(dy) * r;
+                    let distance = Point::new(dx, dy).norm() * r;
                     best.consider(
                         Gap {
                             distance,

@@ -57,7 +57,7 @@ impl Stretch {
     /// How far the robot may be from even motion between the ends, m: a curve stays within max|p''| / 8 of its chord.
     pub(crate) fn bow(&self, side: Side) -> f64 {
         let b = &self.bend[side.index()];
-        b.speed_slope.hypot(b.speed * b.rate) / 8.0
+        libm::hypot(b.speed_slope, b.speed * b.rate) / 8.0
     }
 
     /// How far the heading may be from even turning between the ends, rad.
@@ -68,15 +68,18 @@ impl Stretch {
     /// How far the point that lies `behind` m behind the axle may be from even motion between the ends, m.
     pub(crate) fn bow_behind(&self, side: Side, behind: f64) -> f64 {
         let b = &self.bend[side.index()];
-        self.bow(side) + behind.abs() * b.rate_slope.hypot(b.rate * b.rate) / 8.0
+        self.bow(side) + behind.abs() * libm::hypot(b.rate_slope, b.rate * b.rate) / 8.0
     }
 
     /// Bound of the third derivative of that point, m.
     pub(crate) fn third_behind(&self, side: Side, behind: f64) -> f64 {
         let b = &self.bend[side.index()];
         let turned = 2.0 * b.speed_slope * b.rate + b.speed * b.rate_slope;
-        let place = (b.speed_bend + b.speed * b.rate * b.rate).hypot(turned);
-        let unit = (3.0 * b.rate * b.rate_slope).hypot(b.rate_bend + b.rate.powi(3));
+        let place = libm::hypot(b.speed_bend + b.speed * b.rate * b.rate, turned);
+        let unit = libm::hypot(
+            3.0 * b.rate * b.rate_slope,
+            b.rate_bend + b.rate * b.rate * b.rate,
+        );
         place + behind.abs() * unit
     }
 

@@ -1,5 +1,10 @@
 //! Each claim at its bound: what happens between waypoints and at a touch.
 
+#![allow(
+    clippy::disallowed_methods,
+    reason = "tests compare with the standard library"
+)]
+
 mod support;
 
 use pairtrawl_certificate::certify;

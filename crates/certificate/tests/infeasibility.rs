@@ -1,5 +1,10 @@
 //! Scenes that cannot be done are proven so; scenes that can be done never are.
 
+#![allow(
+    clippy::disallowed_methods,
+    reason = "tests compare with the standard library"
+)]
+
 mod support;
 
 use pairtrawl_certificate::infeasibility::{Proof, ProofKind, prove};

@@ -1,6 +1,11 @@
 //! Valid plans, broken in every way that comes to mind: the certificate and a brute-force checker have to agree, and
 //! whatever the checker refuses the certificate refuses.
 
+#![allow(
+    clippy::disallowed_methods,
+    reason = "tests compare with the standard library"
+)]
+
 mod support;
 
 use pairtrawl_certificate::certify;

@@ -1,5 +1,10 @@
 //! The whole controller: bounded commands whatever comes in, latched stops, f32 against f64, no allocation.
 
+#![allow(
+    clippy::disallowed_methods,
+    reason = "tests compare with the standard library"
+)]
+
 use pairtrawl_control::{
     ControllerParameters, IntegralGains, LawParameters, Mode, MracGains, Pose, Real,
     ReferenceSample, RobotController, StopCause, TorqueLimiter, Velocity, WheelTorque,

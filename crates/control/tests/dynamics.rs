@@ -1,5 +1,10 @@
 //! Eqs. 12 to 21: constraint, skew symmetry, energy balance, and where the printed forms fail.
 
+#![allow(
+    clippy::disallowed_methods,
+    reason = "tests compare with the standard library"
+)]
+
 use pairtrawl_control::{
     BodyForce, CoriolisForm, PlantModel, RobotModel, Velocity, WheelTorque, constraint_row,
     null_basis, null_basis_rate, pose_rate,

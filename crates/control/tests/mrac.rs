@@ -1,5 +1,10 @@
 //! Eqs. 25 to 30: signs by the Lyapunov function, bounds, freezing, and the stability limit of the literal split.
 
+#![allow(
+    clippy::disallowed_methods,
+    reason = "tests compare with the standard library"
+)]
+
 use pairtrawl_control::{
     CoriolisForm, Desired, InertiaSplit, MracGains, MracLaw, RobotModel, Step, Velocity,
 };

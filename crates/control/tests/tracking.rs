@@ -1,5 +1,10 @@
 //! Eqs. 23 and 24: the Lyapunov function never increases, and the derivative in closed form is right.
 
+#![allow(
+    clippy::disallowed_methods,
+    reason = "tests compare with the standard library"
+)]
+
 use pairtrawl_control::{
     Pose, ReferenceSample, TrackingError, TrackingForm, TrackingGains, Velocity, desired_velocity,
     pose_rate,

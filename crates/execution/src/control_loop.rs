@@ -112,7 +112,7 @@ impl<'a> PairLoop<'a> {
             let controller = &self.controllers[side];
             let error = controller.error();
             RobotReport {
-                tracking_error: error.along.hypot(error.across),
+                tracking_error: libm::hypot(error.along, error.across),
                 silence: 0.0,
                 tension: truth[side].tension,
                 stopped: matches!(controller.mode(), Mode::Stopping(_) | Mode::Stopped(_)),

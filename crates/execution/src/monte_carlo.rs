@@ -215,8 +215,8 @@ impl GrowingDrag {
     fn greatest_wheel_force(&self, plant: &PlantParameters) -> f64 {
         // cos a + (hitch / R) sin a is greatest where tan a = hitch / R.
         let lever = plant.hitch / plant.half_track;
-        let angle = self.swing.min(lever.atan());
-        0.5 * self.force * (angle.cos() + lever * angle.sin())
+        let angle = self.swing.min(libm::atan(lever));
+        0.5 * self.force * (libm::cos(angle) + lever * libm::sin(angle))
     }
 
     /// The drag at a time, s.

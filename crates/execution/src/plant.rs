@@ -101,8 +101,8 @@ impl ReducedPlant {
         };
         let wheel = |torque: f64| (torque / p.wheel_radius).clamp(-p.traction, p.traction);
         let (right, left) = (wheel(torque.right), wheel(torque.left));
-        let hitch_speed = s[3].hypot(p.hitch * s[4]);
-        let force = drag.force * hitch_speed / hitch_speed.hypot(STICTION_SPEED);
+        let hitch_speed = libm::hypot(s[3], p.hitch * s[4]);
+        let force = drag.force * hitch_speed / libm::hypot(hitch_speed, STICTION_SPEED);
         let (sin, cos) = libm::sincos(drag.direction);
         let body = BodyForce {
             force: right + left - force * cos,

@@ -53,7 +53,7 @@ impl ReducedOutcome {
 
     /// Root mean square error of both robots after the first second, m.
     pub fn rms(&self) -> f64 {
-        let [a, b] = self.tracking.map(|t| t.settled_rms.powi(2));
+        let [a, b] = self.tracking.map(|t| t.settled_rms * t.settled_rms);
         (0.5 * (a + b)).sqrt()
     }
 }
@@ -103,7 +103,10 @@ impl ReducedRun<'_> {
             let target = self.reference.at(time);
             for (side, target) in target.into_iter().enumerate() {
                 let pose = robots[side].truth().pose;
-                errors[side].take(time, (pose.x - target.pose.x).hypot(pose.y - target.pose.y));
+                errors[side].take(
+                    time,
+                    libm::hypot(pose.x - target.pose.x, pose.y - target.pose.y),
+                );
             }
             for adapted in control.adapted() {
                 keep_greatest(&mut outcome.greatest, &adapted);

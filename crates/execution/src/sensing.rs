@@ -124,7 +124,7 @@ impl Sensors {
     pub fn pose(&mut self, truth: Pose<f64>) -> (Pose<f64>, f64) {
         let period = TRACKER_TICKS as f64 * TORQUE_PERIOD;
         let s = &self.sensing;
-        let keep = (-period / s.noise_time.max(1e-9)).exp();
+        let keep = libm::exp(-period / s.noise_time.max(1e-9));
         let fresh = (1.0 - keep * keep).sqrt();
         for n in &mut self.noise {
             *n = keep * *n + fresh * self.normal.draw();

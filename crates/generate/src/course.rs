@@ -67,10 +67,10 @@ impl Course {
                 let (begin, angle) = self.begins[k];
                 let bend = self.bends[k];
                 let t = ((u - begin) / bend.length).min(1.0);
-                let turn = bend.angle * (t - (2.0 * PI * t).sin() / (2.0 * PI));
+                let turn = bend.angle * (t - libm::sin(2.0 * PI * t) / (2.0 * PI));
                 (
                     angle + turn,
-                    bend.angle / bend.length * (1.0 - (2.0 * PI * t).cos()),
+                    bend.angle / bend.length * (1.0 - libm::cos(2.0 * PI * t)),
                 )
             }
         };
@@ -112,7 +112,7 @@ pub(crate) fn meander(
     let length = waypoints as f64 * 0.05;
     let widest = 0.5 * level.separation.1;
     // Short courses may turn around, long ones keep a direction; later attempts are tamer.
-    let bound = if waypoints <= 300 { 2.4 } else { 1.35 } * 0.97f64.powi(attempt as i32);
+    let bound = if waypoints <= 300 { 2.4 } else { 1.35 } * libm::pow(0.97, attempt as f64);
 
     let mut bends = vec![Bend {
         angle: 0.0,

@@ -32,7 +32,7 @@ impl Level {
     pub(crate) fn new(difficulty: u8) -> Self {
         let fraction = (f64::from(difficulty) - 1.0) / 9.0;
         let linear = |easy: f64, hard: f64| easy + (hard - easy) * fraction;
-        let geometric = |easy: f64, hard: f64| easy * (hard / easy).powf(fraction);
+        let geometric = |easy: f64, hard: f64| easy * libm::pow(hard / easy, fraction);
         let object_margin = geometric(0.12, 0.005);
         // The narrowest place still lets an object through at the tight margin on both sides.
         let narrowest = 2.0 * (ROBOT_RADIUS + CUBE_RADIUS + object_margin) + 0.003;

@@ -74,7 +74,7 @@ fn beside(
     let margin = (level.obstacle_margin * random.between(0.5, 1.0) - ROUNDING).min(1.0) * looseness;
     let keep = robot.radius + margin;
     for shrink in 0..4 {
-        let shape = draw(random, outward, 0.75f64.powi(shrink));
+        let shape = draw(random, outward, libm::pow(0.75, f64::from(shrink)));
         // Least shift along the outward normal that keeps clear: far is clear, the edge itself is not.
         let (mut near, mut far) = (0.0, 2.5);
         let clear = |t: f64| {

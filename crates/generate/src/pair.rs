@@ -48,7 +48,7 @@ pub(crate) fn drive(
 /// Speed of the faster robot per meter of centerline.
 fn outer_speed(course: &Course, u: f64) -> f64 {
     let s = course.station(u);
-    (1.0 + (s.curvature * s.half).abs()).hypot(s.half_slope)
+    Point::new(1.0 + (s.curvature * s.half).abs(), s.half_slope).norm()
 }
 
 /// Displacement of the center from arc length `a` to `b` (Gauss-Legendre, four points).
@@ -68,7 +68,8 @@ fn displacement(course: &Course, a: f64, b: f64) -> Point {
 /// Poses through the points of one side (+1 left, -1 right).
 fn with_headings(points: &[Point], course: &Course, side: f64) -> Vec<Pose> {
     let s = course.station(0.0);
-    let mut heading = s.heading + (side * s.half_slope).atan2(1.0 - side * s.curvature * s.half);
+    let mut heading =
+        s.heading + libm::atan2(side * s.half_slope, 1.0 - side * s.curvature * s.half);
     let mut poses = vec![Pose::at(points[0], heading)];
     for w in points.windows(2) {
         let chord = (w[1] - w[0]).angle();

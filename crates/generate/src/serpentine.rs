@@ -22,7 +22,7 @@ fn half_turn_width() -> f64 {
     (0..CELLS)
         .map(|k| {
             let t = (k as f64 + 0.5) / CELLS as f64;
-            (PI * (t - (2.0 * PI * t).sin() / (2.0 * PI))).sin() / CELLS as f64
+            libm::sin(PI * (t - libm::sin(2.0 * PI * t) / (2.0 * PI))) / CELLS as f64
         })
         .sum()
 }

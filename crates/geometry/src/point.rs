@@ -20,7 +20,8 @@ impl Point {
 
     /// The unit vector at an angle from +x, rad.
     pub fn unit(angle: f64) -> Self {
-        Self::new(angle.cos(), angle.sin())
+        let (sin, cos) = libm::sincos(angle);
+        Self::new(cos, sin)
     }
 
     /// Scalar product.
@@ -56,7 +57,7 @@ impl Point {
 
     /// The vector's angle from +x in (-pi, pi].
     pub fn angle(self) -> f64 {
-        self.y.atan2(self.x)
+        libm::atan2(self.y, self.x)
     }
 
     /// `self + t (other - self)`.

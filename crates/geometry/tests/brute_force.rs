@@ -1,5 +1,10 @@
 //! Distances, overlaps and coverage against dense sampling that shares no code with the crate.
 
+#![allow(
+    clippy::disallowed_methods,
+    reason = "tests compare with the standard library"
+)]
+
 use pairtrawl_geometry::{Hull, Point, Polygon, PolygonError, Segment, SweptLine, orient2d};
 use proptest::prelude::*;
 

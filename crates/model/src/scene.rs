@@ -89,14 +89,14 @@ impl OccupancyMap {
 
     /// A map-frame point in cell units: the integer parts are column and row.
     pub fn to_cells(&self, p: Point) -> Point {
-        let (sin, cos) = self.origin.heading.sin_cos();
+        let (sin, cos) = libm::sincos(self.origin.heading);
         let d = p - self.origin.position();
         Point::new(cos * d.x + sin * d.y, cos * d.y - sin * d.x) / self.resolution
     }
 
     /// The inverse of [`Self::to_cells`].
     pub fn from_cells(&self, c: Point) -> Point {
-        let (sin, cos) = self.origin.heading.sin_cos();
+        let (sin, cos) = libm::sincos(self.origin.heading);
         let d = c * self.resolution;
         self.origin.position() + Point::new(cos * d.x - sin * d.y, sin * d.x + cos * d.y)
     }
@@ -126,7 +126,7 @@ impl Object {
     /// Radius of the smallest circle around the center that contains the footprint, m.
     pub fn footprint_radius(&self) -> f64 {
         match self.footprint {
-            Footprint::Box(w, d) => 0.5 * w.hypot(d),
+            Footprint::Box(w, d) => 0.5 * Point::new(w, d).norm(),
             Footprint::Disc(r) => r,
         }
     }

@@ -104,7 +104,7 @@ fn load_steps(scene: &Scene, trajectory: &PairTrajectory) -> Result<(), Box<dyn 
         let steps = (16.0 * time / reference.duration()).ceil().clamp(0.0, 16.0);
         let force = 0.025 * steps * weight;
         let swing = |phase: f64| {
-            std::f64::consts::FRAC_PI_3 * (std::f64::consts::TAU * time / 10.0 + phase).sin()
+            std::f64::consts::FRAC_PI_3 * libm::sin(std::f64::consts::TAU * time / 10.0 + phase)
         };
         [
             Drag {

@@ -1,5 +1,4 @@
 use crate::check::{Candidate, check};
-use pairtrawl_reference::Reference;
 use crate::run::Run;
 use crate::tighten::Tightening;
 use crate::{Method, NetLength, PlanError, PlanOptions, RehearsalMode, Stage};
@@ -9,6 +8,7 @@ use pairtrawl_model::{
     Certificate, ClaimId, Overrides, PairTrajectory, Plan, Rehearsal, RehearsalRecord, Scales,
     Scene, SceneReference, SolverReport,
 };
+use pairtrawl_reference::Reference;
 use pairtrawl_route::{RouteError, baseline};
 use pairtrawl_simulation::rehearse;
 use pairtrawl_trajopt::{

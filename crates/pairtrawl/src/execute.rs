@@ -5,8 +5,8 @@ mod recording;
 pub use pairtrawl_execution::*;
 pub use recording::{WriteRecordingError, recording, write_recording};
 
-use pairtrawl_reference::Reference;
 use pairtrawl_model::{Execution, PairTrajectory, Plan, Scene};
+use pairtrawl_reference::Reference;
 use std::time::Instant;
 
 /// Drives a plan in full physics, several trials in parallel on the current thread pool.

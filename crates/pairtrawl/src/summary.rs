@@ -222,7 +222,7 @@ mod tests {
         // At the start the box is 0.5 m ahead of and 0.5 m above the left robot; later it is right above.
         let left = values(&summary, "clearance", "left");
         assert_eq!(left.len(), 40);
-        assert!(is_near(left[0], 0.45f64.hypot(0.5) - 0.24));
+        assert!(is_near(left[0], libm::hypot(0.45, 0.5) - 0.24));
         assert!(is_near(left[15], 0.5 - 0.24));
         assert!(is_near(values(&summary, "clearance", "net")[15], 0.5));
         assert!(is_near(

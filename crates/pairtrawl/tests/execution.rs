@@ -1,5 +1,10 @@
 //! Trials in full physics, reduced plants, files.
 
+#![allow(
+    clippy::disallowed_methods,
+    reason = "tests compare with the standard library"
+)]
+
 mod drive;
 
 use pairtrawl::execute::{

@@ -1,5 +1,10 @@
 //! Plan files: what is written reads back as the same bits, foreign plans are read, writing is all or nothing.
 
+#![allow(
+    clippy::disallowed_methods,
+    reason = "tests compare with the standard library"
+)]
+
 use pairtrawl::files::{
     csv_text, parse_plan, plan_json, read_plan, read_scene, tum_text, write_atomically, write_plan,
 };

@@ -92,7 +92,7 @@ mod tests {
             let ticks = Ticks::new(min, max, most);
             assert!(ticks.values.len() >= 2 && ticks.values.len() <= most + 1);
             let step = ticks.values[1] - ticks.values[0];
-            let mantissa = step / 10f64.powf(step.log10().floor());
+            let mantissa = step / libm::exp10(libm::log10(step).floor());
             assert!(
                 [1.0, 2.0, 5.0, 10.0]
                     .iter()

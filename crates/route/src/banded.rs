@@ -103,7 +103,7 @@ mod tests {
         for i in 0..n - 1 {
             m.add(i, [-1.0, 1.0, 0.0], 2.0);
         }
-        let x: Vec<f64> = (0..n).map(|i| (i as f64 * 1.7).sin()).collect();
+        let x: Vec<f64> = (0..n).map(|i| libm::sin(i as f64 * 1.7)).collect();
         let mut b: Vec<f64> = (0..n)
             .map(|i| {
                 let mut v = m.diagonal[i] * x[i];

@@ -261,7 +261,7 @@ pub(crate) mod tests {
         let dx = (x0 - p.x).max(p.x - x1);
         let dy = (y0 - p.y).max(p.y - y1);
         if dx > 0.0 && dy > 0.0 {
-            dx.hypot(dy)
+            Point::new(dx, dy).norm()
         } else {
             dx.max(dy)
         }

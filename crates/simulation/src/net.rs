@@ -31,8 +31,9 @@ impl Net {
         let half_length = 0.5 * parameters.link_length;
         let half_thickness = 0.5 * physics.net_thickness;
         let mass = parameters.link_mass;
-        let inertia =
-            mass * (parameters.link_length.powi(2) + physics.net_thickness.powi(2)) / 12.0;
+        let inertia = mass
+            * vector(Point::new(parameters.link_length, physics.net_thickness)).length_squared()
+            / 12.0;
         let links: Vec<_> = nodes
             .windows(2)
             .enumerate()

@@ -1,5 +1,10 @@
 //! Parts of the physics alone against theory.
 
+#![allow(
+    clippy::disallowed_methods,
+    reason = "tests compare with the standard library"
+)]
+
 use crate::engine::{new_world, point, unit, vector};
 use crate::objects::Objects;
 use crate::robots::RobotBody;

@@ -15,7 +15,7 @@ pub fn evaluate(scene: &Scene, pair: &PairTrajectory, net_length: f64) -> Cost {
         }
         for w in robot.windows(3) {
             let second = |f: fn(&pairtrawl_geometry::Pose) -> f64| {
-                (f(&w[0]) - 2.0 * f(&w[1]) + f(&w[2])).powi(2)
+                square(f(&w[0]) - 2.0 * f(&w[1]) + f(&w[2]))
             };
             cost.smoothness += p.a1
                 * (p.b1 * second(|q| q.x) + p.b2 * second(|q| q.y) + p.b3 * second(|q| q.heading));
@@ -41,7 +41,7 @@ fn obstacle_cost(scene: &Scene, p: Point) -> f64 {
         let distance = p.distance(object.position).max(f64::MIN_POSITIVE.sqrt());
         // Exactly on the circle the potential is zero; rounding there must not count.
         if distance < radius {
-            cost += 0.5 * k.k2 * (1.0 / distance - 1.0 / radius).powi(2);
+            cost += 0.5 * k.k2 * square(1.0 / distance - 1.0 / radius);
         }
     }
     cost
@@ -55,10 +55,14 @@ fn expansion_cost(scene: &Scene, d: f64, d_max: f64) -> f64 {
         p.k3
     } else if d <= d_rest {
         let gamma_1 = FRAC_PI_2 / (d_rest - d_min);
-        p.kd1 * (gamma_1 * (d - d_rest)).tan().powi(2)
+        p.kd1 * square(libm::tan(gamma_1 * (d - d_rest)))
     } else {
-        p.kd2 * (d - d_rest).powi(2) + (d - d_rest).powi(2) / (d - d_max).powi(2)
+        p.kd2 * square(d - d_rest) + square(d - d_rest) / square(d - d_max)
     }
+}
+
+fn square(x: f64) -> f64 {
+    x * x
 }
 
 fn in_obstacle(scene: &Scene, p: Point) -> bool {

@@ -47,7 +47,7 @@ impl Filter {
         }
         let switching = slope < 0.0
             && from.theta <= self.least
-            && alpha * (-slope).powf(2.3) > from.theta.powf(1.1);
+            && alpha * libm::pow(-slope, 2.3) > libm::pow(from.theta, 1.1);
         if switching {
             return to.phi <= from.phi + ARMIJO * alpha * slope + noise;
         }

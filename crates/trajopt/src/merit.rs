@@ -46,14 +46,14 @@ impl LogarithmSum {
         if (1e-200..1e200).contains(&product) {
             self.product = product;
         } else {
-            self.sum += self.product.ln() + value.ln();
+            self.sum += libm::log(self.product) + libm::log(value);
             self.product = 1.0;
         }
     }
 
     /// The sum.
     pub fn sum(&self) -> f64 {
-        self.sum + self.product.ln()
+        self.sum + libm::log(self.product)
     }
 }
 

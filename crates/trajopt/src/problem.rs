@@ -120,7 +120,7 @@ impl Problem {
         let reached = |steps: usize| -> f64 {
             let skew = |k: usize| (k.min(steps - k) as f64 * p.max_turn).min(p.max_skew);
             (0..steps)
-                .map(|k| 2.0 * p.max_step * (0.5 * (skew(k) + skew(k + 1))).sin())
+                .map(|k| 2.0 * p.max_step * libm::sin(0.5 * (skew(k) + skew(k + 1))))
                 .sum()
         };
         (0..).find(|&steps| reached(steps) >= change).unwrap_or(0)
@@ -183,7 +183,7 @@ impl Problem {
 
     pub(crate) fn abreast(&self, heading: usize) -> Abreast {
         Abreast {
-            cos_max_skew: (self.planner.max_skew - self.reserve.skew).cos(),
+            cos_max_skew: libm::cos(self.planner.max_skew - self.reserve.skew),
             heading,
         }
     }

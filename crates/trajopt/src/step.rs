@@ -130,7 +130,7 @@ impl Step {
     #[inline]
     pub fn new(from: &[f64], to: &[f64]) -> Self {
         let (dx, dy) = (to[0] - from[0], to[1] - from[1]);
-        let (sin, cos) = (0.5 * (from[2] + to[2])).sin_cos();
+        let (sin, cos) = libm::sincos(0.5 * (from[2] + to[2]));
         Self {
             along: dx * cos + dy * sin,
             across: dy * cos - dx * sin,

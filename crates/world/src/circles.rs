@@ -129,7 +129,7 @@ fn outline(object: &Object) -> Vec<Point> {
         Footprint::Disc(radius) => {
             let step = TAU / DISC_SIDES as f64;
             (0..DISC_SIDES)
-                .map(|k| c + Point::unit(k as f64 * step) * (radius / (0.5 * step).cos()))
+                .map(|k| c + Point::unit(k as f64 * step) * (radius / libm::cos(0.5 * step)))
                 .collect()
         }
     }

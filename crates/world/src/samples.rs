@@ -21,7 +21,7 @@ pub(crate) fn signed_distances(
     let nearest_free = nearest_seeds(columns, rows, |i| !is_obstacle(i));
     let center = |i: usize| grid.center(i % columns, i / columns);
     // What to call the distance when there is nothing to be distant from: the diagonal of the grid.
-    let far = grid.resolution * (columns as f64).hypot(rows as f64);
+    let far = grid.resolution * Point::new(columns as f64, rows as f64).norm();
     let between = |i: usize, j: u32| {
         if j == NONE {
             far

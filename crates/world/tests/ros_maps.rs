@@ -1,5 +1,10 @@
 //! ROS maps against an independent decoder, byte by byte, written from the specification of map_server.
 
+#![allow(
+    clippy::disallowed_methods,
+    reason = "tests compare with the standard library"
+)]
+
 use pairtrawl_world::ros_map::{DecodedMap, MapMetadata, Mode, RosMapError, Unknown, decode};
 use proptest::prelude::*;
 

@@ -1,5 +1,10 @@
 //! The world of a scene against brute force over the scene itself.
 
+#![allow(
+    clippy::disallowed_methods,
+    reason = "tests compare with the standard library"
+)]
+
 use pairtrawl_geometry::{Convex, Point, Pose};
 use pairtrawl_model::{
     Area, Footprint, NetSpec, Object, Obstacle, OccupancyMap, PairPose, PhysicsParameters,

@@ -74,7 +74,7 @@ fn greatest_skew(stretch: &Stretch, side: Side) -> (f64, f64) {
     let bows = stretch.bow(Side::Left) + stretch.bow(Side::Right);
     let slack = if nearest > bows {
         let turn = between.length() / nearest;
-        stretch.heading_bow(side) + turn * turn / 8.0 + (bows / nearest).asin()
+        stretch.heading_bow(side) + turn * turn / 8.0 + libm::asin(bows / nearest)
     } else {
         std::f64::consts::PI
     };

@@ -93,7 +93,7 @@ fn room(gap: f64) -> String {
 /// within a right angle of the line's normal also between waypoints, and there is at least one inner waypoint.
 fn always_forward(scene: &Scene) -> bool {
     let (planner, start, end) = (&scene.planner, scene.start, scene.end);
-    let turn_of_line = 2.0 * (planner.max_step / (2.0 * scene.robot.radius)).asin();
+    let turn_of_line = 2.0 * libm::asin(planner.max_step / (2.0 * scene.robot.radius));
     let greatest_angle = planner.max_skew.abs() + 0.5 * planner.max_turn.abs() + turn_of_line;
     let farthest = start.left.position().distance(end.left.position());
     let farthest = farthest.max(start.right.position().distance(end.right.position()));

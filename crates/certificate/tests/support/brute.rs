@@ -1,6 +1,11 @@
 //! A second opinion by dense sampling in time and space. It shares no geometry with the crate: everything here is
 //! written from the table of claims, on plain pairs of numbers.
 
+#![allow(
+    clippy::disallowed_methods,
+    reason = "tests compare with the standard library"
+)]
+
 use super::brute_shapes::{Xy, obstacle_distance};
 use pairtrawl_model::{Footprint, Object, PairTrajectory, Scene};
 use std::f64::consts::{PI, TAU};

@@ -1,5 +1,10 @@
 //! Distances for the brute-force checker, written for it alone.
 
+#![allow(
+    clippy::disallowed_methods,
+    reason = "tests compare with the standard library"
+)]
+
 use pairtrawl_model::{Obstacle, OccupancyMap, Scene};
 
 /// A point as plain numbers.

@@ -1,5 +1,10 @@
 //! Reproducible numbers (SplitMix64).
 
+#![allow(
+    clippy::disallowed_methods,
+    reason = "tests compare with the standard library"
+)]
+
 pub struct Random(pub u64);
 
 impl Random {

@@ -19,7 +19,7 @@ pub fn tum_text(reference: &Reference, side: Side) -> String {
     for i in 0..reference.waypoints() {
         let t = reference.waypoint_time(i);
         let p = reference.at(t)[side.index()].pose;
-        let (qz, qw) = (0.5 * p.heading).sin_cos();
+        let (qz, qw) = libm::sincos(0.5 * p.heading);
         // Writing into a string cannot fail.
         let _ = writeln!(text, "{t} {} {} 0 0 0 {qz} {qw}", p.x, p.y);
     }

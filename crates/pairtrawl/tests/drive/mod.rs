@@ -1,5 +1,10 @@
 //! A short drive for tests: straight on, then a left turn, two objects on the way.
 
+#![allow(
+    clippy::disallowed_methods,
+    reason = "tests compare with the standard library"
+)]
+
 use pairtrawl::geometry::{Point, Pose};
 use pairtrawl::model::{Area, Footprint, NetSpec, Object, PairTrajectory, Scene};
 

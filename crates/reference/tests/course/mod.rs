@@ -1,5 +1,10 @@
 //! Courses for tests: a pair abreast that drives straight on, then a left turn, then a right turn.
 
+#![allow(
+    clippy::disallowed_methods,
+    reason = "tests compare with the standard library"
+)]
+
 use pairtrawl_geometry::{Point, Pose};
 use pairtrawl_model::PairTrajectory;
 

@@ -45,7 +45,7 @@ pub(super) struct Quaternion {
 impl Quaternion {
     /// A turn about the vertical, rad.
     pub fn yaw(angle: f64) -> Self {
-        let (z, w) = (0.5 * angle).sin_cos();
+        let (z, w) = libm::sincos(0.5 * angle);
         Self {
             x: 0.0,
             y: 0.0,

@@ -1,5 +1,10 @@
 //! Small summaries, made by hand.
 
+#![allow(
+    clippy::disallowed_methods,
+    reason = "tests compare with the standard library"
+)]
+
 use pairtrawl_geometry::{Point, Pose};
 use pairtrawl_model::*;
 

@@ -124,7 +124,7 @@ pub(crate) fn band(
         // Still too close: the margins give, then one robot goes ahead of the other, as far as the skew allows.
         let side_by_side = 2.0 * pair.min_half;
         let tight = missing - give;
-        let narrowest = side_by_side * MAX_STAGGER.cos() - limited.0 - limited.1 - give;
+        let narrowest = side_by_side * libm::cos(MAX_STAGGER) - limited.0 - limited.1 - give;
         let rest = (0.5 * tight)
             .min(MARGIN_GIVEN * pair.clearance)
             .max(0.5 * narrowest);

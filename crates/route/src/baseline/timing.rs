@@ -39,7 +39,7 @@ fn clock(tracks: &Tracks, scene: &Scene) -> Vec<f64> {
             if u.norm().min(v.norm()) < TOO_SHORT * SPACING {
                 0.0
             } else {
-                u.cross(v).atan2(u.dot(v)).abs()
+                libm::atan2(u.cross(v), u.dot(v)).abs()
             }
         };
         0.5 * (angle(before, after) + angle(a, b))

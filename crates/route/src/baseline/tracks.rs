@@ -203,7 +203,7 @@ fn solve(track: &mut [Point], reference: &[Point], springs: &[Spring]) {
         elastic(i, [-1.0, 1.0, 0.0], TENSION / h);
     }
     for i in 0..n - 2 {
-        elastic(i, [1.0, -2.0, 1.0], BENDING / h.powi(3));
+        elastic(i, [1.0, -2.0, 1.0], BENDING / (h * h * h));
     }
     let mut x = Vec::with_capacity(n);
     let mut y = Vec::with_capacity(n);

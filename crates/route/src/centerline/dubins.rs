@@ -96,8 +96,8 @@ fn advance(pose: Pose, turn: Turn, t: f64, radius: f64) -> Pose {
     };
     let heading = pose.heading + curvature * t;
     let shift = Point::new(
-        heading.sin() - pose.heading.sin(),
-        pose.heading.cos() - heading.cos(),
+        libm::sin(heading) - libm::sin(pose.heading),
+        libm::cos(pose.heading) - libm::cos(heading),
     );
     Pose::at(pose.position() + shift * (curvature * radius), heading)
 }
@@ -110,40 +110,40 @@ fn modulo(angle: f64) -> f64 {
 
 /// Pieces of a word for unit radius from (0, 0, a) to (d, 0, b).
 fn solve(word: [Turn; 3], a: f64, b: f64, d: f64) -> Option<[f64; 3]> {
-    let (sa, ca) = a.sin_cos();
-    let (sb, cb) = b.sin_cos();
-    let cab = (a - b).cos();
+    let (sa, ca) = libm::sincos(a);
+    let (sb, cb) = libm::sincos(b);
+    let cab = libm::cos(a - b);
     match word {
         [Left, Straight, Left] => {
             let p = root(2.0 + d * d - 2.0 * cab + 2.0 * d * (sa - sb))?;
-            let t = (cb - ca).atan2(d + sa - sb);
+            let t = libm::atan2(cb - ca, d + sa - sb);
             Some([modulo(t - a), p, modulo(b - t)])
         }
         [Right, Straight, Right] => {
             let p = root(2.0 + d * d - 2.0 * cab + 2.0 * d * (sb - sa))?;
-            let t = (ca - cb).atan2(d - sa + sb);
+            let t = libm::atan2(ca - cb, d - sa + sb);
             Some([modulo(a - t), p, modulo(t - b)])
         }
         [Left, Straight, Right] => {
             let p = root(-2.0 + d * d + 2.0 * cab + 2.0 * d * (sa + sb))?;
-            let t = (-ca - cb).atan2(d + sa + sb) - (-2.0f64).atan2(p);
+            let t = libm::atan2(-ca - cb, d + sa + sb) - libm::atan2(-2.0, p);
             Some([modulo(t - a), p, modulo(t - b)])
         }
         [Right, Straight, Left] => {
             let p = root(-2.0 + d * d + 2.0 * cab - 2.0 * d * (sa + sb))?;
-            let t = (ca + cb).atan2(d - sa - sb) - 2.0f64.atan2(p);
+            let t = libm::atan2(ca + cb, d - sa - sb) - libm::atan2(2.0, p);
             Some([modulo(a - t), p, modulo(b - t)])
         }
         [Right, Left, Right] => {
             let c = (6.0 - d * d + 2.0 * cab + 2.0 * d * (sa - sb)) / 8.0;
-            let p = modulo(TAU - cosine(c)?.acos());
-            let t = modulo(a - (ca - cb).atan2(d - sa + sb) + 0.5 * p);
+            let p = modulo(TAU - libm::acos(cosine(c)?));
+            let t = modulo(a - libm::atan2(ca - cb, d - sa + sb) + 0.5 * p);
             Some([t, p, modulo(a - b - t + p)])
         }
         _ => {
             let c = (6.0 - d * d + 2.0 * cab + 2.0 * d * (sb - sa)) / 8.0;
-            let p = modulo(TAU - cosine(c)?.acos());
-            let t = modulo(-a - (ca - cb).atan2(d + sa - sb) + 0.5 * p);
+            let p = modulo(TAU - libm::acos(cosine(c)?));
+            let t = modulo(-a - libm::atan2(ca - cb, d + sa - sb) + 0.5 * p);
             Some([t, p, modulo(b - a - t + p)])
         }
     }

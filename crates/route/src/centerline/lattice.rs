@@ -70,7 +70,7 @@ fn primitives(radius: f64, first_heading: f64) -> Vec<Primitive> {
                 let chord = if half == 0.0 {
                     s
                 } else {
-                    s * half.sin() / half
+                    s * libm::sin(half) / half
                 };
                 Point::unit(heading + half) * chord
             };

@@ -210,7 +210,7 @@ impl<'c> Tree<'c> {
             let n = self.points.len() as f64 + 1.0;
             // Karaman and Frazzoli (2011): above this constant RRT* is asymptotically optimal in the plane.
             let gamma = 2.0 * (1.5 * area / PI).sqrt();
-            let radius = (gamma * (n.ln() / n).sqrt()).min(STEER);
+            let radius = (gamma * (libm::log(n) / n).sqrt()).min(STEER);
             let Some(added) = self.add(new, radius.max(from.distance(new) + 1e-9)) else {
                 continue;
             };
@@ -260,8 +260,8 @@ impl<'c> Tree<'c> {
             Point::new(1.0, 0.0)
         };
         a.lerp(b, 0.5)
-            + axis * (long * radius * angle.cos())
-            + axis.perp() * (short * radius * angle.sin())
+            + axis * (long * radius * libm::cos(angle))
+            + axis.perp() * (short * radius * libm::sin(angle))
     }
 
     /// Adds a point below its cheapest neighbor within `radius` and leads dearer neighbors through it.

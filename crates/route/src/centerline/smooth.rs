@@ -126,7 +126,7 @@ impl<'a> Band<'a> {
                 directions[i.saturating_sub(4)],
                 directions[(i + 4).min(n - 1)],
             );
-            a.cross(b).atan2(a.dot(b)).abs()
+            libm::atan2(a.cross(b), a.dot(b)).abs()
         };
         (0..n)
             .map(|i| {
@@ -177,9 +177,9 @@ impl<'a> Band<'a> {
                 }
             }
             const DIFFERENCE: [f64; 3] = [1.0, -2.0, 1.0];
-            matrix.add(i, DIFFERENCE, BENDING / h.powi(3));
+            matrix.add(i, DIFFERENCE, BENDING / (h * h * h));
             // What is stiffer wants the bend that it has, or the tightest one that is allowed.
-            let weight = BENDING * (self.stiffness[i + 1] - 1.0) / h.powi(3);
+            let weight = BENDING * (self.stiffness[i + 1] - 1.0) / (h * h * h);
             matrix.add(i, DIFFERENCE, weight);
             let allowed = bend * (tightest / curvature.max(tightest));
             for (k, difference) in DIFFERENCE.into_iter().enumerate() {

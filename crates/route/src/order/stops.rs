@@ -224,7 +224,7 @@ impl Stops {
             Place::Outside => self.end_heading,
         };
         let alpha = (leave - arrive - TAU * ((leave - arrive) / TAU).round()).abs();
-        self.turning * alpha.powi(3) / (PI * PI)
+        self.turning * alpha * alpha * alpha / (PI * PI)
     }
 
     /// Cost of a whole order of circles.

@@ -14,14 +14,14 @@ impl Term<PAIR> for Abreast {
     #[inline]
     fn value(&self, z: &[f64; PAIR]) -> f64 {
         let [rx, ry, ..] = *z;
-        let phi = z[self.heading];
-        (ry * phi.cos() - rx * phi.sin()) / Point::new(rx, ry).norm() - self.cos_max_skew
+        let (sin, cos) = libm::sincos(z[self.heading]);
+        (ry * cos - rx * sin) / Point::new(rx, ry).norm() - self.cos_max_skew
     }
 
     #[inline]
     fn slope(&self, z: &[f64; PAIR]) -> (f64, [f64; PAIR]) {
         let [rx, ry, ..] = *z;
-        let (sin, cos) = z[self.heading].sin_cos();
+        let (sin, cos) = libm::sincos(z[self.heading]);
         let d2 = rx * rx + ry * ry;
         let flat = 1.0 / d2.sqrt();
         let (s, c) = ((ry * cos - rx * sin) * flat, (rx * cos + ry * sin) * flat);

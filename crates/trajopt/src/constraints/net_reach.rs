@@ -25,8 +25,8 @@ impl NetReach {
     #[inline]
     fn hitches(&self, &[rx, ry, phi_l, phi_r, _]: &[f64; PAIR]) -> Hitches {
         let h = self.hitch;
-        let (sl, cl) = phi_l.sin_cos();
-        let (sr, cr) = phi_r.sin_cos();
+        let (sl, cl) = libm::sincos(phi_l);
+        let (sr, cr) = libm::sincos(phi_r);
         let (x, y) = (rx - h * (cl - cr), ry - h * (sl - sr));
         let reach = Point::new(x, y).norm();
         Hitches {
@@ -50,13 +50,8 @@ impl NetReach {
 
 impl Term<PAIR> for NetReach {
     #[inline]
-    fn value(&self, &[rx, ry, phi_l, phi_r, d_max]: &[f64; PAIR]) -> f64 {
-        let h = self.hitch;
-        let (x, y) = (
-            rx - h * (phi_l.cos() - phi_r.cos()),
-            ry - h * (phi_l.sin() - phi_r.sin()),
-        );
-        d_max - self.reserve - Point::new(x, y).norm()
+    fn value(&self, z: &[f64; PAIR]) -> f64 {
+        z[4] - self.reserve - self.hitches(z).reach
     }
 
     #[inline]

@@ -43,7 +43,7 @@ fn extended(f: impl Fn(f64) -> Scalar, t: f64, limit: f64) -> Scalar {
 }
 
 fn tangent_squared(p: f64) -> Scalar {
-    let t = (FRAC_PI_2 * p).tan();
+    let t = libm::tan(FRAC_PI_2 * p);
     let sec2 = 1.0 + t * t;
     [
         t * t,
@@ -57,7 +57,7 @@ fn barrier(q: f64) -> Scalar {
     [
         q * q * v * v,
         2.0 * q * v * v * v,
-        2.0 * v.powi(3) + 6.0 * q * v.powi(4),
+        2.0 * v * v * v + 6.0 * q * (v * v * v * v),
     ]
 }
 

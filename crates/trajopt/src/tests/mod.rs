@@ -1,5 +1,10 @@
 //! Tests of the crate's inner parts, by subject.
 
+#![allow(
+    clippy::disallowed_methods,
+    reason = "tests compare with the standard library"
+)]
+
 mod band;
 mod case;
 mod cost;
