@@ -24,6 +24,7 @@ pub(crate) struct Stretch {
     /// Poses at its end.
     pub(crate) to: [Pose; 2],
     bend: [Bend; 2],
+    bow: [f64; 2],
 }
 
 /// Greatest magnitudes of derivatives by the part of the stretch that is done. A robot's position p and heading phi obey
@@ -56,8 +57,7 @@ pub(crate) struct Middle {
 impl Stretch {
     /// How far the robot may be from even motion between the ends, m: a curve stays within max|p''| / 8 of its chord.
     pub(crate) fn bow(&self, side: Side) -> f64 {
-        let b = &self.bend[side.index()];
-        libm::hypot(b.speed_slope, b.speed * b.rate) / 8.0
+        self.bow[side.index()]
     }
 
     /// How far the heading may be from even turning between the ends, rad.
@@ -68,24 +68,24 @@ impl Stretch {
     /// How far the point that lies `behind` m behind the axle may be from even motion between the ends, m.
     pub(crate) fn bow_behind(&self, side: Side, behind: f64) -> f64 {
         let b = &self.bend[side.index()];
-        self.bow(side) + behind.abs() * libm::hypot(b.rate_slope, b.rate * b.rate) / 8.0
+        self.bow(side) + behind.abs() * Point::new(b.rate_slope, b.rate * b.rate).norm() / 8.0
     }
 
     /// Bound of the third derivative of that point, m.
     pub(crate) fn third_behind(&self, side: Side, behind: f64) -> f64 {
         let b = &self.bend[side.index()];
         let turned = 2.0 * b.speed_slope * b.rate + b.speed * b.rate_slope;
-        let place = libm::hypot(b.speed_bend + b.speed * b.rate * b.rate, turned);
-        let unit = libm::hypot(
-            3.0 * b.rate * b.rate_slope,
-            b.rate_bend + b.rate * b.rate * b.rate,
-        );
-        place + behind.abs() * unit
+        let place = Point::new(b.speed_bend + b.speed * b.rate * b.rate, turned);
+        let cubed = b.rate * b.rate * b.rate;
+        let unit = Point::new(3.0 * b.rate * b.rate_slope, b.rate_bend + cubed);
+        place.norm() + behind.abs() * unit.norm()
     }
 
-    /// Greatest speed along the curve, m per stretch.
-    pub(crate) fn speed(&self, side: Side) -> f64 {
-        self.bend[side.index()].speed
+    /// No point of the line between the robots moves farther than this, m.
+    pub(crate) fn travel(&self) -> f64 {
+        let [l0, l1, r1, r0] = self.corners();
+        let chord = l0.distance(l1).max(r0.distance(r1));
+        chord.max(self.bend[0].speed).max(self.bend[1].speed)
     }
 
     /// The greater bow of both robots, m.
@@ -215,12 +215,14 @@ impl<'a> Reading<'a> {
                 }
             }
         });
+        let bow = bend.map(|b| Point::new(b.speed_slope, b.speed * b.rate).norm() / 8.0);
         Stretch {
             step,
             span,
             from,
             to,
             bend,
+            bow,
         }
     }
 }

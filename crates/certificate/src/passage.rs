@@ -16,7 +16,6 @@ const HALVINGS: usize = 28;
 pub(crate) fn best_passage(reading: &Reading<'_>, stretch: &Stretch, p: Point) -> Option<f64> {
     let line = |w: f64| Side::BOTH.map(|side| reading.pose(side, stretch.step, w).position());
     let side_of = |[left, right]: [Point; 2]| (right - left).cross(p - left);
-    let speed = stretch.speed(Side::Left) + stretch.speed(Side::Right);
     let mut best: Option<f64> = None;
     for part in 0..PARTS {
         let [mut a, mut b] = [part, part + 1].map(|k| k as f64 / PARTS as f64);
@@ -36,7 +35,7 @@ pub(crate) fn best_passage(reading: &Reading<'_>, stretch: &Stretch, p: Point) -
         let width = right.distance(left);
         let along = (p - left).dot(right - left) / width;
         // From now to the passage neither robot moves more than this, nor does the line turn by more.
-        let moved = 2.0 * speed * (b - a);
+        let moved = 4.0 * stretch.travel() * (b - a);
         if along >= moved && along <= width - moved {
             let [from_left, from_right] = ends.map(|end| end.distance(p));
             let margin = from_left.min(from_right) - moved;

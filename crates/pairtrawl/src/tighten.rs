@@ -2,6 +2,7 @@
 //!
 //! Lengths are in units of the length scale. Every change only makes the next problem stricter or finer; whatever comes out of it is judged against the scene itself.
 
+use pairtrawl_geometry::Point;
 use pairtrawl_model::{Certificate, ClaimId, RehearsalEventKind, Scales};
 use pairtrawl_trajopt::Problem;
 
@@ -31,6 +32,8 @@ pub(crate) struct Tightening {
     net_reach: f64,
     /// Subtracted from max_skew, rad.
     skew: f64,
+    /// Taken from every side of the area that bounds the robots' centers.
+    area: f64,
     /// max_turn becomes this many times what it is.
     turn: f64,
     /// N becomes this many times what the baseline takes, unless the user fixed it.
@@ -45,6 +48,7 @@ impl Tightening {
         separation: 0.0,
         net_reach: 0.0,
         skew: 0.0,
+        area: 0.0,
         turn: 1.0,
         waypoints: 1.0,
     };
@@ -56,6 +60,9 @@ impl Tightening {
         problem.reserve.separation += self.separation;
         problem.reserve.net_reach += self.net_reach;
         problem.reserve.skew += self.skew;
+        let inset = Point::new(self.area, self.area);
+        problem.area.min += inset;
+        problem.area.max -= inset;
         problem.planner.max_turn *= self.turn;
     }
 
@@ -75,6 +82,7 @@ impl Tightening {
                 ClaimId::Separation => next.separation += more,
                 ClaimId::NetReach => next.net_reach += more,
                 ClaimId::Abreast => next.skew += more,
+                ClaimId::InsideArea => next.area += more,
                 // More waypoints are all that helps.
                 ClaimId::Scene
                 | ClaimId::NetLength
@@ -84,8 +92,7 @@ impl Tightening {
                 | ClaimId::Forward
                 | ClaimId::NoSidewaysSlip
                 | ClaimId::Speed
-                | ClaimId::EveryObjectCovered
-                | ClaimId::InsideArea => {}
+                | ClaimId::EveryObjectCovered => {}
             }
         }
         next.waypoints *= MORE_WAYPOINTS;

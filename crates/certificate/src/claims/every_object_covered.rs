@@ -47,13 +47,21 @@ fn best(reading: &Reading<'_>, steps: &[Stretch], bounds: &[Bounds], p: Point) -
             left: Segment::new(l0, l1),
             right: Segment::new(r0, r1),
         };
-        let margin = match reading {
-            Reading::Linear(_) => even.coverage(p).margin,
-            Reading::Smooth(_) => best_passage(reading, stretch, p).unwrap_or_else(|| {
-                // Where only even motion would pass over the point, it is missed by less than that strays.
-                even.coverage(p).margin.min(-stretch.greatest_bow())
-            }),
+        // A line that cannot come to the point within the step does not pass over it.
+        let far = even.at(0.0).distance(p) > stretch.travel();
+        if far && best.0 >= 0.0 {
+            continue;
+        }
+        let passage = match reading {
+            Reading::Linear(_) => None,
+            Reading::Smooth(_) if far => None,
+            Reading::Smooth(_) => best_passage(reading, stretch, p),
         };
+        let margin = passage.unwrap_or_else(|| match reading {
+            Reading::Linear(_) => even.coverage(p).margin,
+            // Where only even motion would pass over the point, it is missed by less than that strays.
+            Reading::Smooth(_) => even.coverage(p).margin.min(-stretch.greatest_bow()),
+        });
         if margin > best.0 {
             best = (margin, stretch.step);
         }
