@@ -8,7 +8,7 @@ use pairtrawl_geometry::Point;
 /// What stands for a number that is not finite.
 const NONE: &str = "\u{2013}";
 
-/// A length given in m, in the unit that suits its size: `0.31 mm`, `4.82 mm`, `1.639 m`, `163.9 m`, `2.320 km`.
+/// A length given in m, in the unit that suits its size: `0.31 mm`, `49.1 mm`, `1.639 m`, `163.9 m`, `2.320 km`.
 pub fn length(meters: f64) -> String {
     scaled(meters, "m")
 }
@@ -158,6 +158,7 @@ fn scaled(value: f64, unit: &str) -> String {
     match value.abs() {
         0.0 => format!("0 {unit}"),
         s if s < 0.009_995 => fixed(1e3 * value, 2, &format!(" m{unit}")),
+        s if s < 0.099_95 => fixed(1e3 * value, 1, &format!(" m{unit}")),
         s if s < 99.999_5 => fixed(value, 3, &format!(" {unit}")),
         s if s < 999.95 => fixed(value, 1, &format!(" {unit}")),
         s if s < 99_999.5 => fixed(1e-3 * value, 3, &format!(" k{unit}")),
@@ -207,11 +208,12 @@ mod tests {
     fn lengths_take_the_unit_of_their_size() {
         for (meters, text) in [
             (1.638_526_453_806_24, "1.639 m"),
-            (-0.031_24, "-0.031 m"),
+            (-0.031_24, "-31.2 mm"),
             (0.0, "0 m"),
             (-0.0, "0 m"),
             (0.004_82, "4.82 mm"),
-            (0.009_996, "0.010 m"),
+            (0.009_996, "10.0 mm"),
+            (0.099_96, "0.100 m"),
             (1e-4, "0.10 mm"),
             (3e-7, "< 0.01 mm"),
             (-3e-7, "> -0.01 mm"),

@@ -240,6 +240,28 @@ mod tests {
     }
 
     #[test]
+    fn times_are_those_of_the_time_law() {
+        let scene = scene();
+        let mut plan = plan(&scene);
+        // Twice as fast in the second half.
+        plan.time_law = (0..=40)
+            .map(|i| 0.4 * f64::min(i as f64, 20.0) + 0.2 * f64::max(i as f64 - 20.0, 0.0))
+            .collect();
+        let summary = summarize(&scene, &plan, &[], None);
+        assert!(is_near(summary.duration, 12.0));
+        assert!(is_near(summary.times[30], 10.0));
+        assert!(summary.panels.iter().all(|p| p.times == plan.time_law));
+        // The object is passed over 10.2 steps after the start.
+        assert!(is_near(summary.swept_at[0].unwrap(), 10.2 * 0.4));
+        for c in summary.claims.iter().filter(|c| c.claim.step.is_some()) {
+            assert_eq!(c.time, plan.time_law.get(c.claim.step.unwrap()).copied());
+        }
+        // A law for other waypoints is none.
+        plan.time_law.pop();
+        assert!(is_near(summarize(&scene, &plan, &[], None).duration, 10.0));
+    }
+
+    #[test]
     fn skew_has_the_sign_of_the_heading() {
         let scene = scene();
         let mut plan = plan(&scene);

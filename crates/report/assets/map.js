@@ -45,7 +45,7 @@
     clampView();
     const scale = frame.scale * view.zoom;
     world.setAttribute("transform", `matrix(${scale} 0 0 ${-scale} ${px(0)} ${py(0)})`);
-    pane.style.touchAction = view.zoom > 1 ? "none" : "pan-y";
+    svg.style.touchAction = view.zoom > 1 ? "none" : "pan-y";
     axes.replaceChildren();
     svgElement("rect", { class: "pane", x: margin.left, y: margin.top, width: frame.width, height: frame.height }, axes);
     const span = { x: frame.width / scale / 2, y: frame.height / scale / 2 };
@@ -118,13 +118,13 @@
   byId("zoom-in").addEventListener("click", () => zoomBy(1.5));
   byId("zoom-out").addEventListener("click", () => zoomBy(1 / 1.5));
   byId("zoom-fit").addEventListener("click", showAll);
-  pane.addEventListener("dblclick", showAll);
+  svg.addEventListener("dblclick", showAll);
   const inPane = ({ clientX, clientY }) => {
     const box = svg.getBoundingClientRect();
     const ratio = (frame.width + margin.left + margin.right) / box.width;
     return [(clientX - box.left) * ratio - margin.left, (clientY - box.top) * ratio - margin.top];
   };
-  pane.addEventListener(
+  svg.addEventListener(
     "wheel",
     (event) => {
       // A map that is shown as a whole, or as near as can be, lets the page scroll.
@@ -148,23 +148,23 @@
     event.stopPropagation();
   });
   let grip = null;
-  pane.addEventListener("pointerdown", (event) => {
+  svg.addEventListener("pointerdown", (event) => {
     if (view.zoom <= 1 || !event.isPrimary) return;
     grip = { x: event.clientX, y: event.clientY };
-    pane.setPointerCapture(event.pointerId);
+    svg.setPointerCapture(event.pointerId);
   });
-  pane.addEventListener("pointermove", (event) => {
+  svg.addEventListener("pointermove", (event) => {
     if (!grip || !event.isPrimary) return;
     panBy(event.clientX - grip.x, event.clientY - grip.y);
     grip = { x: event.clientX, y: event.clientY };
   });
-  for (const end of ["pointerup", "pointercancel"]) pane.addEventListener(end, () => (grip = null));
+  for (const end of ["pointerup", "pointercancel"]) svg.addEventListener(end, () => (grip = null));
   let pinch = null;
   const fingers = ([a, b]) => ({
     apart: Math.max(1, Math.hypot(a.clientX - b.clientX, a.clientY - b.clientY)),
     at: inPane({ clientX: (a.clientX + b.clientX) / 2, clientY: (a.clientY + b.clientY) / 2 }),
   });
-  pane.addEventListener(
+  svg.addEventListener(
     "touchmove",
     (event) => {
       if (event.touches.length !== 2) {
@@ -183,7 +183,7 @@
     },
     { passive: false },
   );
-  for (const end of ["touchend", "touchcancel"]) pane.addEventListener(end, () => (pinch = null));
+  for (const end of ["touchend", "touchcancel"]) svg.addEventListener(end, () => (pinch = null));
 
   // What the line between the robots has swept so far in the motion that is shown: finished blocks of steps, then the steps
   // of the block under way.
