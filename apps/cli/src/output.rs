@@ -57,7 +57,7 @@ pub fn report_panics(json: bool) {
 }
 
 /// Warnings, one a line, as they are printed under a summary.
-pub fn warnings(text: &mut String, warnings: &[String]) {
+pub fn warnings(text: &mut String, warnings: &[impl std::fmt::Display]) {
     for warning in warnings {
         text.push_str(&format!("warning: {warning}\n"));
     }

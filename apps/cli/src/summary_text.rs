@@ -137,7 +137,7 @@ pub fn plan_json(summary: &Summary) -> Value {
             "kkt_error": number(summary.solver.kkt_error),
         },
         "seconds": summary.stages.iter().map(|stage| (stage.name.clone(), json!(stage.seconds))).collect::<serde_json::Map<_, _>>(),
-        "warnings": summary.warnings,
+        "warnings": summary.warnings.iter().map(ToString::to_string).collect::<Vec<_>>(),
     })
 }
 

@@ -39,6 +39,7 @@ mod net_too_long;
 mod net_too_short;
 mod pinned;
 mod things;
+mod too_few_waypoints;
 mod way_cut;
 
 use crate::subject::COORDINATE_LIMIT;
@@ -46,7 +47,9 @@ use enclosed::Verdict;
 use free_space::FreeSpace;
 use pairtrawl_geometry::Point;
 use pairtrawl_model::Scene;
+use std::fmt;
 use things::Things;
+pub use too_few_waypoints::too_few_waypoints;
 
 /// Why no plan can be valid.
 #[derive(Clone, Debug, PartialEq)]
@@ -55,6 +58,12 @@ pub struct Proof {
     pub kind: ProofKind,
     /// The proof for people: the thing, the amount, and the smallest change that would remove this obstruction.
     pub message: String,
+}
+
+impl fmt::Display for Proof {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.write_str(&self.message)
+    }
 }
 
 /// The kinds of proof; lengths in m.
@@ -70,6 +79,11 @@ pub enum ProofKind {
     NetTooLong {
         /// The greatest length that would do here.
         most: f64,
+    },
+    /// The waypoints given do not reach from start to end.
+    TooFewWaypoints {
+        /// The least number that might do.
+        needed: usize,
     },
     /// One robot has no way from its start to its end.
     WayCut {

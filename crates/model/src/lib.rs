@@ -19,6 +19,7 @@ mod size;
 mod summary;
 mod trajectory;
 mod units;
+mod warning;
 
 pub use certificate::{Certificate, Claim};
 pub use claim_id::ClaimId;
@@ -36,8 +37,9 @@ pub use scene::{Area, Footprint, NetSpec, Object, Obstacle, OccupancyMap, PairPo
 pub use side::Side;
 pub use size::RobotSize;
 pub use summary::{
-    ClaimSummary, Event, ExecutionSummary, Frames, LengthCurve, LengthPoint, Limit, Line, Panel,
-    Ribbon, Role, Sampling, SceneOutline, StageTime, Summary, TrialSummary,
+    ClaimSummary, Event, ExecutionSummary, Frames, LengthCurve, LengthPoint, LengthRefusal, Limit,
+    Line, Panel, Ribbon, Role, Sampling, SceneOutline, StageTime, Summary, TrialSummary,
 };
 pub use trajectory::{PairTrajectory, default_step_time};
 pub use units::Units;
+pub use warning::Warning;

@@ -1,4 +1,4 @@
-use crate::{Certificate, Cost, PairTrajectory};
+use crate::{Certificate, Cost, PairTrajectory, Warning};
 use pairtrawl_geometry::{Point, Pose};
 
 /// A planned run and how it came about.
@@ -32,7 +32,23 @@ pub struct Plan {
     /// What the optimizer said.
     pub solver: SolverReport,
     /// Warnings for people: margins that shrank, thresholds, fallbacks.
-    pub warnings: Vec<String>,
+    pub warnings: Vec<Warning>,
+}
+
+impl Plan {
+    /// The last waypoint that a pair which keeps to the plan has passed `time` s after it set out; by the time law, or by
+    /// the step time where there is none.
+    pub fn waypoint_at(&self, time: f64) -> usize {
+        let last = self.trajectory.len().saturating_sub(1);
+        let passed = if self.time_law.is_empty() {
+            (time / self.trajectory.step_time).max(0.0) as usize
+        } else {
+            self.time_law
+                .partition_point(|t| *t <= time)
+                .saturating_sub(1)
+        };
+        passed.min(last)
+    }
 }
 
 impl Plan {
@@ -134,6 +150,18 @@ impl SolverStatus {
         Self::NumericalTrouble,
         Self::NotStated,
     ];
+
+    /// How the optimizer ended, for people.
+    pub const fn describe(self) -> &'static str {
+        match self {
+            Self::Converged => "the optimizer converged",
+            Self::LocallyInfeasible => "the optimizer found no way to meet all constraints nearby",
+            Self::IterationLimit => "the optimizer ran out of iterations",
+            Self::TimeLimit => "the optimizer was stopped",
+            Self::NumericalTrouble => "the optimizer broke down numerically",
+            Self::NotStated => "how it was found is not known",
+        }
+    }
 
     /// The name in files.
     pub const fn name(self) -> &'static str {

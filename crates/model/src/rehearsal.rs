@@ -24,6 +24,16 @@ pub struct RehearsalRecord {
     pub warnings: Vec<String>,
 }
 
+impl RehearsalRecord {
+    /// The events that count against it: an object that slipped out and was caught again is reported but does no harm.
+    pub fn failures(&self) -> impl Iterator<Item = &RehearsalEvent> {
+        self.events.iter().filter(|event| match event.kind {
+            RehearsalEventKind::ObjectEscapes { object } => !self.gathered[object],
+            _ => true,
+        })
+    }
+}
+
 /// One instant of a rehearsal.
 #[derive(Clone, Debug, PartialEq)]
 pub struct RehearsalFrame {

@@ -1,4 +1,4 @@
-use crate::{PhysicsParameters, PlannerParameters};
+use crate::{PhysicsParameters, PlannerParameters, Side};
 use pairtrawl_geometry::{Point, Pose};
 
 /// Everything that a run is planned from.
@@ -142,6 +142,14 @@ pub struct PairPose {
 }
 
 impl PairPose {
+    /// The pose of one robot.
+    pub fn robot(&self, side: Side) -> Pose {
+        match side {
+            Side::Left => self.left,
+            Side::Right => self.right,
+        }
+    }
+
     /// Distance between the axle centers, m.
     pub fn separation(&self) -> f64 {
         self.left.position().distance(self.right.position())

@@ -3,9 +3,10 @@
 
 use crate::{
     Area, Circle, Claim, Cost, Object, Obstacle, PairPose, PairTrajectory, Rehearsal, Robot,
-    SolverReport, TrackingStatistics,
+    SolverReport, TrackingStatistics, Warning,
 };
 use pairtrawl_geometry::{Point, Pose};
+use std::fmt;
 
 /// Everything that is shown about a plan.
 #[derive(Clone, Debug, PartialEq)]
@@ -51,7 +52,7 @@ pub struct Summary {
     /// Time of each stage of planning, in order; empty when it was not measured.
     pub stages: Vec<StageTime>,
     /// Warnings for people.
-    pub warnings: Vec<String>,
+    pub warnings: Vec<Warning>,
     /// The rehearsal in motion, when there was one.
     pub frames: Option<Frames>,
     /// An execution of the plan, when there was one.
@@ -253,6 +254,8 @@ pub struct LengthCurve {
     pub points: Vec<LengthPoint>,
     /// The best net length found, m, and its cost.
     pub minimum: Option<(f64, Cost)>,
+    /// True when it was stopped before all lengths were solved: the others are missing.
+    pub interrupted: bool,
 }
 
 /// One net length of the curve.
@@ -261,5 +264,53 @@ pub struct LengthPoint {
     /// d_max, m.
     pub net_length: f64,
     /// J of the certified plan with this net, or why there is none.
-    pub outcome: Result<Cost, String>,
+    pub outcome: Result<Cost, LengthRefusal>,
+}
+
+/// Why there is no certified plan with a net length; the words are for people.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub enum LengthRefusal {
+    /// There is a proof that no plan exists.
+    Proven(String),
+    /// None was found within the budget.
+    NotFound(String),
+}
+
+impl fmt::Display for LengthRefusal {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match self {
+            Self::Proven(reason) => write!(f, "proven infeasible: {reason}"),
+            Self::NotFound(reason) => f.write_str(reason),
+        }
+    }
+}
+
+impl LengthCurve {
+    /// The range of net lengths (m) around the best one in which J is at most `share` above the least (0.01: 1 %), J taken
+    /// to be linear between solved lengths. It ends at a length without a plan, and at the ends of the curve.
+    pub fn flat_range(&self, share: f64) -> Option<(f64, f64)> {
+        let (best, cost) = self.minimum?;
+        let bound = cost.total() * (1.0 + share);
+        let known = |point: &LengthPoint| {
+            let cost = point.outcome.as_ref().ok();
+            (point.net_length, cost.map(Cost::total))
+        };
+        let reach = |points: &mut dyn Iterator<Item = (f64, Option<f64>)>| {
+            let (mut from, mut at) = (best, cost.total());
+            for (length, total) in points {
+                match total {
+                    Some(total) if total <= bound => (from, at) = (length, total),
+                    Some(total) => return from + (length - from) * (bound - at) / (total - at),
+                    None => break,
+                }
+            }
+            from
+        };
+        let shorter = self.points.iter().rev().map(known);
+        let longer = self.points.iter().map(known);
+        Some((
+            reach(&mut shorter.filter(|(length, _)| *length < best)),
+            reach(&mut longer.filter(|(length, _)| *length > best)),
+        ))
+    }
 }

@@ -24,6 +24,17 @@ impl PairTrajectory {
         self.left.is_empty()
     }
 
+    /// The part from waypoint `first` on; empty when there is none.
+    #[must_use]
+    pub fn from_waypoint(&self, first: usize) -> Self {
+        let rest = |poses: &[Pose]| poses.get(first..).unwrap_or_default().to_vec();
+        Self {
+            left: rest(&self.left),
+            right: rest(&self.right),
+            step_time: self.step_time,
+        }
+    }
+
     /// Both poses at waypoint `i`.
     pub fn pair(&self, i: usize) -> PairPose {
         PairPose {

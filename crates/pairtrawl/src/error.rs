@@ -1,43 +1,24 @@
-use crate::Stage;
-use crate::attempt::Attempt;
+use crate::observer::Stage;
+use pairtrawl_certificate::infeasibility::Proof;
 use pairtrawl_geometry::Point;
-use pairtrawl_model::numbers::length;
-use pairtrawl_model::{ClaimId, Rehearsal, SolverStatus};
+use pairtrawl_model::{Claim, SolverStatus, numbers};
 use pairtrawl_route::RouteError;
 use pairtrawl_simulation::SimulationError;
 use pairtrawl_world::WorldError;
+use std::fmt;
 
 /// Why there is no plan.
 #[derive(Clone, Debug, PartialEq, thiserror::Error)]
 pub enum PlanError {
     /// The scene or the options cannot be planned for, whatever the planner does.
-    #[error("{what}")]
-    BadInput {
-        /// The thing, its value, the bound and the remedy.
-        what: String,
-    },
+    #[error(transparent)]
+    BadInput(BadInput),
     /// There is a proof that no plan exists.
-    #[error("proven infeasible: {proof}")]
-    Infeasible {
-        /// The proof in words and numbers, and the smallest change that would help.
-        proof: String,
-    },
+    #[error("proven infeasible: {0}")]
+    Infeasible(Proof),
     /// No certified plan was found within the budget. That is no proof that there is none.
-    #[error("no certified plan found: {reason}")]
-    NoPlan {
-        /// What fails, in words and numbers.
-        reason: String,
-        /// The claim that fails in the best attempt.
-        claim: Option<ClaimId>,
-        /// At which step.
-        step: Option<usize>,
-        /// Where, m.
-        place: Option<Point>,
-        /// By how much, in the claim's unit; negative.
-        margin: Option<f64>,
-        /// What change would help.
-        remedy: String,
-    },
+    #[error("no certified plan found: {0}")]
+    NoPlan(NoPlan),
     /// The time limit ran out.
     #[error("the time limit of {limit} s ran out in the stage {}", stage.name())]
     TimeLimit {
@@ -51,176 +32,181 @@ pub enum PlanError {
     Interrupted,
 }
 
-impl PlanError {
+/// What cannot be planned for, and which part of the planner says so.
+#[derive(Clone, Debug, PartialEq, thiserror::Error)]
+pub enum BadInput {
+    /// The occupancy grid and the obstacles.
+    #[error(transparent)]
+    World(#[from] WorldError),
+    /// Order, centerline and baseline.
+    #[error(transparent)]
+    Route(#[from] RouteError),
+    /// The rehearsal.
+    #[error(transparent)]
+    Simulation(#[from] SimulationError),
+}
+
+/// What is missing in the best attempt at a plan.
+#[derive(Clone, Debug, PartialEq)]
+pub enum NoPlan {
+    /// A claim fails in all rounds.
+    ClaimFails {
+        /// The claim that fails by most in the best attempt.
+        claim: Claim,
+        /// How many rounds were made.
+        rounds: usize,
+        /// How the optimizer ended.
+        solver: SolverStatus,
+    },
+    /// The course that was found takes more steps than there are waypoints for.
+    TooFewWaypoints {
+        /// The waypoints that were asked for.
+        waypoints: usize,
+        /// The longest step, m.
+        max_step: f64,
+        /// How far the robot with the longer path drives, m.
+        course: f64,
+    },
+    /// No way leads past the obstacles, or none was found.
+    NoRoute(RouteError),
+    /// Everything is proven, but no rehearsal passed, and one was required.
+    RehearsalFails {
+        /// What happened first.
+        event: String,
+        /// When, s.
+        time: f64,
+        /// Where, m.
+        place: Point,
+    },
     /// There was not even a start to try.
-    pub(crate) fn no_start() -> Self {
-        Self::NoPlan {
-            reason: "there is nothing to start from".to_owned(),
-            claim: None,
-            step: None,
-            place: None,
-            margin: None,
-            remedy: "report this scene".to_owned(),
+    NoStart,
+}
+
+impl PlanError {
+    /// What would help, when the message does not say so itself.
+    pub fn remedy(&self) -> Option<String> {
+        match self {
+            Self::NoPlan(missing) => missing.remedy(),
+            Self::TimeLimit { .. } => Some("give more time, or fewer waypoints".to_owned()),
+            Self::Infeasible(_) | Self::BadInput(_) | Self::Interrupted => None,
+        }
+    }
+}
+
+impl NoPlan {
+    /// The claim that fails.
+    pub fn claim(&self) -> Option<&Claim> {
+        match self {
+            Self::ClaimFails { claim, .. } => Some(claim),
+            Self::TooFewWaypoints { .. }
+            | Self::NoRoute(_)
+            | Self::RehearsalFails { .. }
+            | Self::NoStart => None,
+        }
+    }
+
+    /// Where it fails, m.
+    pub fn place(&self) -> Option<Point> {
+        match self {
+            Self::ClaimFails { claim, .. } => claim.place,
+            Self::NoRoute(RouteError::NoPath { to, .. } | RouteError::SearchLimit { to, .. }) => {
+                Some(*to)
+            }
+            Self::RehearsalFails { place, .. } => Some(*place),
+            Self::TooFewWaypoints { .. } | Self::NoRoute(_) | Self::NoStart => None,
         }
     }
 
     /// What would help, when the message does not say so itself.
-    pub fn remedy(&self) -> Option<&str> {
+    pub fn remedy(&self) -> Option<String> {
+        let words = match self {
+            Self::TooFewWaypoints {
+                max_step, course, ..
+            } => {
+                let needed = (course / max_step).ceil() as usize + 1;
+                return Some(format!(
+                    "give at least {needed} waypoints (planner.waypoints, --waypoints), leave their number to the planner, \
+                     or raise planner.max_step"
+                ));
+            }
+            Self::ClaimFails { claim, .. } => claim.id.remedy(),
+            Self::NoRoute(RouteError::SearchLimit { .. }) => {
+                "try another seed or --centerline rrt-star, or a smaller area: nothing says that the way is closed"
+            }
+            Self::NoRoute(_) => "widen the passage, or move the object or the end",
+            Self::RehearsalFails { .. } => {
+                "raise planner.clearance or lower planner.max_skew, or take the certified plan without --require-rehearsal"
+            }
+            Self::NoStart => "report this scene",
+        };
+        Some(words.to_owned())
+    }
+}
+
+impl fmt::Display for NoPlan {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         match self {
-            Self::NoPlan { remedy, .. } => Some(remedy),
-            Self::TimeLimit { .. } => Some("give more time, or fewer waypoints"),
-            Self::Infeasible { .. } | Self::BadInput { .. } | Self::Interrupted => None,
-        }
-    }
-
-    /// The course that was found takes more steps than there are waypoints for.
-    fn too_few_waypoints(best: &Attempt, max_step: f64) -> Option<Self> {
-        let (left, right) = best.baseline.path_lengths();
-        let course = left.max(right);
-        let waypoints = best.baseline.len();
-        let reach = waypoints.saturating_sub(1) as f64 * max_step;
-        (course > reach).then(|| {
-            let needed = (course / max_step).ceil() as usize + 1;
-            Self::NoPlan {
-                reason: format!(
-                    "{waypoints} waypoints with steps of at most {} cover {}, but the course found is {} long",
-                    length(max_step),
-                    length(reach),
-                    length(course)
-                ),
-                claim: Some(ClaimId::Step),
-                step: None,
-                place: None,
-                margin: Some(reach - course),
-                remedy: format!(
-                    "give at least {needed} waypoints (planner.waypoints, --waypoints), leave their number to the planner, or \
-                     raise planner.max_step"
-                ),
+            Self::ClaimFails {
+                claim,
+                rounds,
+                solver,
+            } => {
+                let amount = numbers::quantity(-claim.margin, claim.id.unit());
+                write!(f, "after {rounds} rounds {} fails by {amount}", claim.id)?;
+                if let Some(step) = claim.step {
+                    write!(f, " at step {step}")?;
+                }
+                if let Some(place) = claim.place {
+                    write!(f, " near {}", numbers::place(place))?;
+                }
+                if !claim.detail.is_empty() {
+                    write!(f, " ({})", claim.detail)?;
+                }
+                write!(f, "; {}", solver.describe())
             }
-        })
-    }
-
-    /// After the last round: the claim that failed most in the best attempt. `max_step` in m.
-    pub(crate) fn no_plan(best: &Attempt, rounds: usize, max_step: f64) -> Self {
-        if let Some(error) = Self::too_few_waypoints(best, max_step) {
-            return error;
-        }
-        let worst = best
-            .certificate
-            .claims
-            .iter()
-            .filter(|claim| !claim.holds)
-            .min_by(|a, b| a.margin.total_cmp(&b.margin));
-        let solver = match best.solver.status {
-            SolverStatus::Converged => "the optimizer converged",
-            SolverStatus::LocallyInfeasible => {
-                "the optimizer found no way to meet all constraints nearby"
+            Self::TooFewWaypoints {
+                waypoints,
+                max_step,
+                course,
+            } => {
+                let reach = waypoints.saturating_sub(1) as f64 * max_step;
+                let [max_step, reach, course] = [*max_step, reach, *course].map(numbers::length);
+                write!(
+                    f,
+                    "{waypoints} waypoints with steps of at most {max_step} cover {reach}, but the course found is {course} long"
+                )
             }
-            SolverStatus::IterationLimit => "the optimizer ran out of iterations",
-            SolverStatus::TimeLimit => "the optimizer was stopped",
-            SolverStatus::NumericalTrouble => "the optimizer broke down numerically",
-            SolverStatus::NotStated => "how it was found is not known",
-        };
-        let Some(worst) = worst else {
-            return Self::NoPlan {
-                reason: format!("in {rounds} rounds {solver}"),
-                claim: None,
-                step: None,
-                place: None,
-                margin: None,
-                remedy: "report this scene".to_owned(),
-            };
-        };
-        let mut reason = format!(
-            "after {rounds} rounds {} fails by {:.3e}",
-            worst.id, -worst.margin
-        );
-        if let Some(step) = worst.step {
-            reason += &format!(" at step {step}");
-        }
-        if let Some(place) = worst.place {
-            reason += &format!(" near ({:.3}, {:.3})", place.x, place.y);
-        }
-        if !worst.detail.is_empty() {
-            reason += &format!(" ({})", worst.detail);
-        }
-        Self::NoPlan {
-            reason: format!("{reason}; {solver}"),
-            claim: Some(worst.id),
-            step: worst.step,
-            place: worst.place,
-            margin: Some(worst.margin),
-            remedy: worst.id.remedy().to_owned(),
-        }
-    }
-
-    /// No attempt passed its rehearsal, and one was required.
-    pub(crate) fn not_rehearsed(verdict: &Rehearsal) -> Self {
-        let (reason, place) = match verdict {
-            Rehearsal::Failed { event, time, place } => (
-                format!(
-                    "the rehearsal fails: {event} after {time:.1} s near ({:.3}, {:.3})",
-                    place.x, place.y
-                ),
-                Some(*place),
-            ),
-            Rehearsal::Passed | Rehearsal::Skipped => ("there was no rehearsal".to_owned(), None),
-        };
-        Self::NoPlan {
-            reason,
-            claim: None,
-            step: None,
-            place,
-            margin: None,
-            remedy: "raise planner.clearance or lower planner.max_skew, or take the certified plan without \
-                     --require-rehearsal"
-                .to_owned(),
+            Self::NoRoute(error) => error.fmt(f),
+            Self::RehearsalFails { event, time, place } => {
+                let (time, place) = (numbers::duration(*time), numbers::place(*place));
+                write!(f, "the rehearsal fails: {event} after {time} near {place}")
+            }
+            Self::NoStart => f.write_str("there is nothing to start from"),
         }
     }
 }
 
 impl From<WorldError> for PlanError {
     fn from(error: WorldError) -> Self {
-        Self::BadInput {
-            what: error.to_string(),
-        }
+        Self::BadInput(error.into())
     }
 }
 
 impl From<SimulationError> for PlanError {
     fn from(error: SimulationError) -> Self {
-        Self::BadInput {
-            what: error.to_string(),
-        }
+        Self::BadInput(error.into())
     }
 }
 
 impl From<RouteError> for PlanError {
     fn from(error: RouteError) -> Self {
         match error {
-            RouteError::NoPath { to, .. } => Self::NoPlan {
-                reason: error.to_string(),
-                claim: None,
-                step: None,
-                place: Some(to),
-                margin: None,
-                remedy: "widen the passage, or move the object or the end".to_owned(),
-            },
-            RouteError::SearchLimit { to, .. } => Self::NoPlan {
-                reason: error.to_string(),
-                claim: None,
-                step: None,
-                place: Some(to),
-                margin: None,
-                remedy: "place the objects so that the pair passes them on a way with fewer dead ends, make the area smaller, \
-                         or try the other search (--centerline)"
-                    .to_owned(),
-            },
+            RouteError::NoPath { .. } | RouteError::SearchLimit { .. } => {
+                Self::NoPlan(NoPlan::NoRoute(error))
+            }
             RouteError::BadOrder { .. }
             | RouteError::BadCenterline { .. }
-            | RouteError::TooFewWaypoints { .. } => Self::BadInput {
-                what: error.to_string(),
-            },
+            | RouteError::TooFewWaypoints { .. } => Self::BadInput(error.into()),
         }
     }
 }

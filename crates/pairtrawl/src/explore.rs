@@ -1,11 +1,12 @@
 //! Several starts, optimized in parallel; the best one comes first. The result does not depend on the number of threads.
 
-use crate::starts::{Start, Starts};
-use crate::{Method, PlanOptions};
-use pairtrawl_model::{PairTrajectory, Scene, Side, SolverStatus};
+use crate::options::Method;
+use crate::prepare::Prepared;
+use crate::start::Start;
+use crate::starts::Candidates;
+use pairtrawl_model::{PairTrajectory, Side, SolverStatus};
 use pairtrawl_route::with_lead;
-use pairtrawl_trajopt::{Problem, Settings, optimize};
-use pairtrawl_world::World;
+use pairtrawl_trajopt::{Problem, Settings, optimize_watched};
 use rayon::prelude::*;
 
 /// How a baseline is varied.
@@ -38,42 +39,56 @@ const WORTH_VARYING: f64 = 1.02;
 /// Waypoints of all variations together, at most: it would take longer than everything else.
 const MOST_WAYPOINTS: usize = 30_000;
 
-/// A start, and what the optimum from there costs; infinite when there is none.
+/// Whether the work may go on; asked from several threads.
+type MayGoOn<'a> = &'a (dyn Fn() -> bool + Sync);
+
+/// A start with its baseline, and the cost of the optimum from there; infinite when there is none.
 struct Explored {
     start: Start,
+    baseline: Option<PairTrajectory>,
     objective: f64,
 }
 
-/// Puts the visiting order that leads to the least cost first, and before it the variation that betters it most.
+/// The starts, with the visiting order that leads to the least cost first, and before it the variation of a baseline that
+/// costs least of all, when it costs less. When the work may not go on, what comes back is of no use.
 pub(crate) fn explore(
-    starts: &mut Starts,
-    world: &World,
-    scene: &Scene,
-    net_length: Option<f64>,
-    options: &PlanOptions,
-) {
+    Candidates {
+        mut starts,
+        explored,
+    }: Candidates,
+    prepared: &Prepared,
+    may_go_on: MayGoOn,
+) -> Vec<Start> {
+    let options = prepared.options;
     if !options.explore || options.method != Method::Joint {
-        return;
+        return starts;
     }
-    let problem = Problem::new(scene, net_length, &world.pieces);
-    let (orders, _) = starts.list.split_at_mut(starts.explored);
-    let mut ranked: Vec<(Explored, Option<PairTrajectory>)> = orders
+    let problem = Problem::new(
+        &prepared.scaled,
+        prepared.net_length,
+        &prepared.world.pieces,
+    );
+    let (orders, _) = starts.split_at_mut(explored);
+    let mut ranked: Vec<Explored> = orders
         .par_iter()
         .map(|start| {
-            let start = start.with_line(world, scene, options.seed);
-            let first = start.baseline(world, scene, options).ok();
-            let least = first.as_ref().and_then(|first| optimum(&problem, first));
-            let objective = least.unwrap_or(f64::INFINITY);
-            (Explored { start, objective }, first)
+            let start = start.with_line(prepared);
+            let baseline = start.baseline(prepared).ok();
+            let least = (baseline.as_ref()).and_then(|pair| optimum(&problem, pair, may_go_on));
+            Explored {
+                start,
+                baseline,
+                objective: least.unwrap_or(f64::INFINITY),
+            }
         })
         .collect();
     // Stable: equal costs keep the shorter way first.
-    ranked.sort_by(|a, b| a.0.objective.total_cmp(&b.0.objective));
-    for (slot, (order, _)) in orders.iter_mut().zip(&ranked) {
+    ranked.sort_by(|a, b| a.objective.total_cmp(&b.objective));
+    for (slot, order) in orders.iter_mut().zip(&ranked) {
         *slot = order.start.clone();
     }
-    let Some(least) = ranked.first().map(|(order, _)| order.objective) else {
-        return;
+    let Some(least) = ranked.first().map(|order| order.objective) else {
+        return starts;
     };
     let mut left = MOST_WAYPOINTS;
     let mut within_budget = |pair: &PairTrajectory| {
@@ -83,47 +98,51 @@ pub(crate) fn explore(
     };
     let varied: Vec<(&Start, &PairTrajectory, Variation)> = ranked
         .iter()
-        .filter(|(order, _)| order.objective <= WORTH_VARYING * least)
-        .filter_map(|(order, first)| Some((&order.start, first.as_ref()?)))
-        .filter(|(_, first)| within_budget(first))
-        .flat_map(|(start, first)| VARIATIONS.map(|variation| (start, first, variation)))
+        .filter(|order| order.objective <= WORTH_VARYING * least)
+        .filter_map(|order| Some((&order.start, order.baseline.as_ref()?)))
+        .filter(|(_, baseline)| within_budget(baseline))
+        .flat_map(|(start, baseline)| VARIATIONS.map(|variation| (start, baseline, variation)))
         .collect();
     let better = varied
         .par_iter()
-        .filter_map(|&(start, baseline, variation)| variation.explored(&problem, start, baseline))
+        .filter_map(|&(start, baseline, variation)| {
+            let pair = variation.of(baseline, &problem, may_go_on);
+            let objective = optimum(&problem, &pair, may_go_on)?;
+            Some((start.with_pair(pair), objective))
+        })
         .collect::<Vec<_>>()
         .into_iter()
-        .filter(|varied| varied.objective < least)
-        .min_by(|a, b| a.objective.total_cmp(&b.objective));
-    if let Some(better) = better {
-        starts.list.insert(0, better.start);
+        .filter(|(_, objective)| *objective < least)
+        .min_by(|a, b| a.1.total_cmp(&b.1));
+    if let Some((start, _)) = better {
+        starts.insert(0, start);
     }
+    starts
 }
 
 impl Variation {
-    /// The start with this variation of its baseline.
-    fn explored(
+    /// A baseline varied in this way.
+    fn of(
         self,
-        problem: &Problem,
-        start: &Start,
         baseline: &PairTrajectory,
-    ) -> Option<Explored> {
+        problem: &Problem,
+        may_go_on: MayGoOn,
+    ) -> PairTrajectory {
         let mut pair = with_lead(baseline, self.lead, problem.planner.max_step);
         if let Some(robot) = self.first {
             let mut one = problem.clone();
             for held in [robot.other(), robot] {
                 one.frozen = Some(held);
-                pair = optimize(&one, &pair, &Settings::default()).trajectory;
+                let settings = Settings::default();
+                pair = optimize_watched(&one, &pair, &settings, &mut |_, _| may_go_on()).trajectory;
             }
         }
-        let objective = optimum(problem, &pair)?;
-        let start = start.with_pair(pair);
-        Some(Explored { start, objective })
+        pair
     }
 }
 
-/// What the optimum from a pair costs, unless there is none.
-fn optimum(problem: &Problem, pair: &PairTrajectory) -> Option<f64> {
-    let solution = optimize(problem, pair, &Settings::default());
+/// The cost of the optimum from a pair, unless there is none.
+fn optimum(problem: &Problem, pair: &PairTrajectory, may_go_on: MayGoOn) -> Option<f64> {
+    let solution = optimize_watched(problem, pair, &Settings::default(), &mut |_, _| may_go_on());
     (solution.status == SolverStatus::Converged).then_some(solution.objective)
 }

@@ -1,10 +1,16 @@
+//! The cost of the best plan over the length of the net.
+
 use crate::attempt::{Course, Origin};
+use crate::common_start::{CommonStart, study_options};
+use crate::error::PlanError;
+use crate::observer::{Observer, Stage};
+use crate::options::{NetLength, PlanOptions};
+use crate::plan::certified;
+use crate::prepare::Prepared;
 use crate::run::Run;
-use crate::starts::CommonStart;
 use crate::tighten::Tightening;
-use crate::{Observer, PlanError, PlanOptions, RehearsalMode, Stage};
 use pairtrawl_certificate::infeasibility;
-use pairtrawl_model::{Cost, LengthCurve, LengthPoint, Scene};
+use pairtrawl_model::{Cost, LengthCurve, LengthPoint, LengthRefusal, Scales, Scene};
 use pairtrawl_trajopt::evaluate;
 use rayon::prelude::*;
 
@@ -19,8 +25,15 @@ pub struct LengthRange {
     pub points: usize,
 }
 
+/// Default ranges begin at a multiple of this, in units of the length scale.
+const ROUND: f64 = 0.1;
+/// They reach to this length at least, in units of the length scale.
+const FARTHEST: f64 = 3.0;
+/// They are at least this wide, in units of the length scale.
+const WIDTH: f64 = 1.5;
+
 impl LengthRange {
-    /// From the least net that the ends of a scene allow, rounded up to 0.1 m, to 3 m or 1.5 m beyond that.
+    /// From the least net that the ends of a scene allow, rounded up, to twice what pairs of this size usually need.
     pub fn default_for(scene: &Scene) -> Self {
         let hitch = scene.robot.hitch;
         let needed = [scene.start, scene.end]
@@ -33,10 +46,11 @@ impl LengthRange {
                 [pair.separation(), hitches]
             })
             .fold(4.0 * scene.robot.radius, f64::max);
-        let from = (needed * 10.0).ceil() / 10.0;
+        let scales = Scales::of(scene);
+        let from = (scales.scaled(needed) / ROUND).ceil() * ROUND;
         Self {
-            from,
-            to: f64::max(3.0, from + 1.5),
+            from: scales.meters(from),
+            to: scales.meters(f64::max(FARTHEST, from + WIDTH)),
             points: 21,
         }
     }
@@ -50,8 +64,11 @@ impl LengthRange {
 /// The curve J(d_max): the cost of the certified plan for each net length, with N, visiting order and sides fixed, solved
 /// in parallel, and the optimum with the length free.
 ///
+/// When the observer interrupts while lengths are solved, the points that are finished are kept.
+///
 /// # Errors
-/// As [`plan`](crate::plan()), when there is no route at all. A length without a plan is a point of the curve.
+/// As [`plan`](crate::plan()), when there is a proof against every length or no route at all. A length without a plan is
+/// a point of the curve.
 pub fn length_curve(
     scene: &Scene,
     options: &PlanOptions,
@@ -59,65 +76,81 @@ pub fn length_curve(
     observer: &mut dyn Observer,
 ) -> Result<LengthCurve, PlanError> {
     let mut run = Run::new(options, observer);
-    let CommonStart {
-        scales,
-        scaled,
-        world,
-        order,
-        centerline,
-        pair,
-    } = CommonStart::new(scene, options, &mut run)?;
-    let waypoints = pair.len();
-    let origin = Origin::Centerline(centerline, Some(pair));
-    let fixed = PlanOptions {
-        waypoints: Some(waypoints),
-        rehearsal: RehearsalMode::Skip,
-        time_limit: None,
-        ..options.clone()
-    };
-
-    let solve = |net_length: Option<f64>| -> Result<(f64, Cost), String> {
-        if let Some(proof) = infeasibility::prove(scene, net_length) {
-            return Err(proof.message);
-        }
-        let course = Course {
-            scene,
-            scales,
-            scaled: &scaled,
-            net_length: net_length.map(|length| scales.scaled(length)),
-            world: &world,
-            order: &order,
-            options: &fixed,
-        };
-        let (mut tightening, mut nobody) = (Tightening::NONE, ());
-        let attempt = course
-            .certified_attempt(&origin, &mut tightening, &mut Run::new(&fixed, &mut nobody))
-            .map_err(|error| error.to_string())?;
-        let cost = evaluate(scene, &attempt.trajectory, attempt.net_length);
-        Ok((attempt.net_length, cost))
-    };
+    let open = study_options(options);
+    let (prepared, common) = CommonStart::find(scene, &open, &mut run)?;
     let wanted: Vec<Option<f64>> = range.lengths().map(Some).chain([None]).collect();
-    let mut solved: Vec<_> = run.stage(Stage::Optimize, || {
-        wanted.par_iter().map(|length| solve(*length)).collect()
+    let solved: Vec<_> = run.unfinished_stage(Stage::Optimize, |may_go_on| {
+        let solve = |length: &Option<f64>| point(&prepared, &common, *length, may_go_on);
+        wanted.par_iter().map(solve).collect()
     })?;
-    let free = solved.pop().and_then(Result::ok);
 
-    let points: Vec<LengthPoint> = range
-        .lengths()
-        .zip(solved)
-        .map(|(net_length, outcome)| LengthPoint {
-            net_length,
-            outcome: outcome.map(|(_, cost)| cost),
-        })
-        .collect();
-    let best = points
-        .iter()
-        .filter_map(|point| Some((point.net_length, *point.outcome.as_ref().ok()?)))
-        .chain(free)
-        .min_by(|a, b| a.1.total().total_cmp(&b.1.total()));
+    let interrupted = solved.iter().any(Option::is_none);
+    let mut points = Vec::new();
+    let mut minimum: Option<(f64, Cost)> = None;
+    for (wanted, outcome) in wanted.iter().zip(solved) {
+        let Some(outcome) = outcome else { continue };
+        if let Ok((length, cost)) = &outcome
+            && minimum.is_none_or(|(_, least)| cost.total() < least.total())
+        {
+            minimum = Some((*length, *cost));
+        }
+        if let Some(net_length) = *wanted {
+            let outcome = outcome.map(|(_, cost)| cost);
+            points.push(LengthPoint {
+                net_length,
+                outcome,
+            });
+        }
+    }
     Ok(LengthCurve {
         title: scene.name.clone(),
         points,
-        minimum: best,
+        minimum,
+        interrupted,
     })
+}
+
+/// Net length (m) and cost of the certified plan for a length (`None`: free); `None` when the work may not go on.
+fn point(
+    common: &Prepared,
+    start: &CommonStart,
+    length: Option<f64>,
+    may_go_on: &(dyn Fn() -> bool + Sync),
+) -> Option<Result<(f64, Cost), LengthRefusal>> {
+    if !may_go_on() {
+        return None;
+    }
+    let scene = common.scene;
+    if let Some(proof) = infeasibility::prove(scene, length) {
+        return Some(Err(LengthRefusal::Proven(proof.message)));
+    }
+    let options = PlanOptions {
+        net_length: Some(length.map_or(NetLength::Auto, NetLength::Fixed)),
+        waypoints: Some(start.pair.len()),
+        time_limit: None,
+        ..common.options.clone()
+    };
+    let prepared = common.with_net_length(&options, length);
+    let course = Course::new(&prepared, &start.order);
+    let origin = Origin::Centerline(&start.centerline, Some(&start.pair));
+    let mut watch = Watch(may_go_on);
+    let mut run = Run::new(&options, &mut watch);
+    let mut tightening = Tightening::NONE;
+    match certified(&course, &origin, &mut tightening, &mut run) {
+        Ok(attempt) => {
+            let cost = evaluate(scene, &attempt.trajectory, attempt.net_length);
+            Some(Ok((attempt.net_length, cost)))
+        }
+        Err(PlanError::Interrupted) => None,
+        Err(error) => Some(Err(LengthRefusal::NotFound(error.to_string()))),
+    }
+}
+
+/// Ends one of many runs when all of them are to end.
+struct Watch<'a>(&'a (dyn Fn() -> bool + Sync));
+
+impl Observer for Watch<'_> {
+    fn interrupted(&self) -> bool {
+        !(self.0)()
+    }
 }

@@ -56,6 +56,7 @@
 
 mod attempt;
 mod check;
+mod common_start;
 mod error;
 pub mod execute;
 mod explore;
@@ -66,16 +67,17 @@ mod observer;
 mod options;
 mod plan;
 mod planner;
+mod prepare;
 mod rehearse;
 mod run;
+mod separation_study;
+mod start;
 mod starts;
 mod summary;
 mod tighten;
-mod variants;
-mod waypoints;
 
 pub use check::{Candidate, check};
-pub use error::PlanError;
+pub use error::{BadInput, NoPlan, PlanError};
 pub use judge::judge;
 pub use length::{LengthRange, length_curve};
 pub use observer::{Observer, Stage};
@@ -90,5 +92,5 @@ pub use pairtrawl_world as world;
 pub use plan::{Planned, plan};
 pub use planner::Planner;
 pub use rehearse::{Rehearsed, rehearse};
+pub use separation_study::{SeparationStudy, separation_study};
 pub use summary::{claim_summaries, summarize, summarize_execution};
-pub use variants::{SeparationStudy, separation_study};

@@ -38,8 +38,8 @@ impl Stage {
     }
 }
 
-/// Watches a planner at work and may stop it. `()` watches nothing.
-pub trait Observer {
+/// Watches a planner at work and may stop it. `()` watches nothing. It is asked from several threads.
+pub trait Observer: Sync {
     /// A stage begins; `round` counts from 1 and rises when a failed claim makes the planner try again.
     fn started(&mut self, _stage: Stage, _round: usize) {}
 
@@ -49,7 +49,7 @@ pub trait Observer {
     /// Something that a person may want to know while it runs.
     fn noted(&mut self, _message: &str) {}
 
-    /// Asked between stages and between rounds: true ends the work with `PlanError::Interrupted`.
+    /// Asked between stages, between rounds, and many times while starts are explored and trajectories optimized: true ends the work with `PlanError::Interrupted`.
     fn interrupted(&self) -> bool {
         false
     }

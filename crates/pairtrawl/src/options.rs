@@ -59,6 +59,21 @@ impl PlanOptions {
             Some(NetLength::Fixed(length)) => Some(length),
         }
     }
+
+    /// N of a run in a scene; `None`: the planner chooses it.
+    pub(crate) fn waypoints_for(&self, scene: &Scene) -> Option<usize> {
+        self.waypoints.or(scene.planner.waypoints)
+    }
+
+    /// How centerlines are searched, in the order in which the methods are tried. Never empty.
+    pub(crate) fn centerline_methods(&self) -> &'static [CenterlineMethod] {
+        use CenterlineMethod::{HybridAStar, RrtStar};
+        match self.centerline {
+            None => &[HybridAStar, RrtStar],
+            Some(HybridAStar) => &[HybridAStar],
+            Some(RrtStar) => &[RrtStar],
+        }
+    }
 }
 
 /// The net's length when it is not the scene's.

@@ -1,16 +1,19 @@
-//! Planning, on one page of named steps: scene -> world -> order -> explore -> centerline -> baseline -> optimize -> certify ->
-//! (rehearse) -> plan.
+//! Planning on one page: every step by name, and the three loops that try again.
+//!
+//! `prepare` (proofs, scales, world) -> `starts` (visiting orders, explored) -> for each start its centerline, then
+//! `rehearsed` { `certified` { `attempt`: baseline -> optimize -> certify } -> rehearse } -> plan.
 
-use crate::attempt::{Course, Origin};
-use crate::explore::explore;
+use crate::attempt::{Attempt, Course, Origin};
+use crate::error::{NoPlan, PlanError};
+use crate::observer::{Observer, Stage};
+use crate::options::{PlanOptions, RehearsalMode};
+use crate::prepare::prepare;
 use crate::run::Run;
 use crate::starts::starts;
-use crate::{Observer, PlanError, PlanOptions, Stage, waypoints};
-use pairtrawl_certificate::infeasibility;
-use pairtrawl_model::{Plan, RehearsalRecord, Scales, Scene, SceneReference, StageTime};
-use pairtrawl_world::World;
+use crate::tighten::Tightening;
+use pairtrawl_model::{Plan, Rehearsal, RehearsalRecord, Scene, SceneReference, StageTime};
 
-/// A plan and what planning it showed.
+/// A plan, and what came to light while it was made.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Planned {
     /// The plan; every claim of its certificate holds.
@@ -33,69 +36,113 @@ pub fn plan(
     observer: &mut dyn Observer,
 ) -> Result<Planned, PlanError> {
     let mut run = Run::new(options, observer);
-    let net_length = options.net_length_for(scene);
+    let prepared = prepare(scene, options, &mut run)?;
+    let starts = starts(&prepared, &mut run)?;
 
-    let proof = run.stage(Stage::Proofs, || {
-        let scenes = infeasibility::prove(scene, net_length).map(|proof| proof.message);
-        scenes.or_else(|| waypoints::too_few(scene, options))
-    })?;
-    if let Some(proof) = proof {
-        return Err(PlanError::Infeasible { proof });
-    }
-    let scales = Scales::of(scene);
-    let scaled = scales.scene(scene);
-    let net_length = net_length.map(|length| scales.scaled(length));
-    let world = run
-        .stage(Stage::World, || World::new(&scaled, net_length))?
-        .map_err(|error| error.in_meters(scales.length))?;
-    let mut starts = run
-        .stage(Stage::Order, || starts(&world, &scaled, options))?
-        .map_err(|error| error.in_meters(scales.length))?;
-    run.stage(Stage::Explore, || {
-        explore(&mut starts, &world, &scaled, net_length, options);
-    })?;
-
-    // The best start first; the others only while no certified plan is found.
+    // The best start comes first; the others are tried only while no certified plan is found.
     let mut refused = None;
-    for (failed, start) in starts.list.iter().enumerate() {
-        let course = Course {
-            scene,
-            scales,
-            scaled: &scaled,
-            net_length,
-            world: &world,
-            order: &start.order,
-            options,
-        };
-        let attempt = run
-            .stage(Stage::Centerline, || {
-                start.centerline(&world, &scaled, options.seed)
-            })?
-            .map_err(|error| PlanError::from(error.in_meters(scales.length)))
+    for (failed, start) in starts.iter().enumerate() {
+        let course = Course::new(&prepared, &start.order);
+        let line = run.stage(Stage::Centerline, || start.centerline(&prepared))?;
+        let found = line
+            .map_err(|error| prepared.route_error(error))
             .and_then(|line| {
-                course.rehearsed_attempt(&Origin::Centerline(line, start.pair.clone()), &mut run)
+                rehearsed(&course, &Origin::Centerline(&line, start.pair()), &mut run)
             });
-        match attempt {
-            Ok((attempt, rehearsal)) => {
-                let mut plan = attempt.into_plan(&course, reference, rehearsal.as_ref());
+        match found {
+            Ok((mut attempt, rehearsal)) => {
                 if failed > 0 {
-                    plan.warnings.push(format!(
-                        "no certified plan was found from {failed} other start(s); this one takes {}",
-                        start.name
-                    ));
+                    attempt.warn_of_other_start(failed, start.name());
                 }
+                let plan = attempt.into_plan(&course, reference, rehearsal.as_ref());
                 return Ok(Planned {
                     plan,
                     rehearsal,
                     stages: run.stages,
                 });
             }
-            Err(error @ PlanError::NoPlan { .. }) => {
+            Err(error @ PlanError::NoPlan(_)) => {
                 refused.get_or_insert(error);
                 run.round += 1;
             }
             Err(error) => return Err(error),
         }
     }
-    Err(refused.unwrap_or_else(PlanError::no_start))
+    Err(refused.unwrap_or(PlanError::NoPlan(NoPlan::NoStart)))
+}
+
+/// A certified attempt, and its rehearsal unless that is to be skipped. One whose rehearsal fails is made again with more
+/// margin, a bounded number of times; the one with the fewest events counts.
+pub(crate) fn rehearsed(
+    course: &Course,
+    origin: &Origin,
+    run: &mut Run,
+) -> Result<(Attempt, Option<RehearsalRecord>), PlanError> {
+    let options = course.prepared.options;
+    let mut tightening = Tightening::NONE;
+    let mut best = certified(course, origin, &mut tightening, run)?;
+    if options.rehearsal == RehearsalMode::Skip {
+        return Ok((best, None));
+    }
+    let mut record = course.rehearse(&best, run)?;
+    let mut latest = record.clone();
+    for _ in 0..options.rehearsal_rounds {
+        let Some(failed) = latest.failures().next() else {
+            break;
+        };
+        run.note(&format!(
+            "rehearsal: {}; planning again with more margin",
+            failed.kind.describe()
+        ));
+        tightening = tightening.after_event(&failed.kind);
+        run.round += 1;
+        match certified(course, origin, &mut tightening, run) {
+            Ok(next) => {
+                latest = course.rehearse(&next, run)?;
+                if latest.failures().count() < record.failures().count() {
+                    (best, record) = (next, latest.clone());
+                }
+            }
+            // With more margin there is no plan any more: the one at hand stays.
+            Err(PlanError::NoPlan(_)) => break,
+            Err(error) => return Err(error),
+        }
+    }
+    match (&record.verdict, options.rehearsal) {
+        (Rehearsal::Failed { event, time, place }, RehearsalMode::Require) => {
+            Err(PlanError::NoPlan(NoPlan::RehearsalFails {
+                event: event.clone(),
+                time: *time,
+                place: *place,
+            }))
+        }
+        _ => Ok((best, Some(record))),
+    }
+}
+
+/// An attempt whose every claim holds: optimizes, certifies, tightens where a claim fails, and tries again within the
+/// budget of rounds.
+pub(crate) fn certified(
+    course: &Course,
+    origin: &Origin,
+    tightening: &mut Tightening,
+    run: &mut Run,
+) -> Result<Attempt, PlanError> {
+    let prepared = course.prepared;
+    let mut best = course.attempt(origin, tightening, run)?;
+    for _ in 1..prepared.options.rounds {
+        if best.worst().is_none() {
+            break;
+        }
+        *tightening = tightening.after_claims(&best.certificate, &prepared.scales);
+        run.round += 1;
+        let next = course.attempt(origin, tightening, run)?;
+        if next.failures() <= best.failures() {
+            best = next;
+        }
+    }
+    match best.worst() {
+        None => Ok(best),
+        Some(worst) => Err(PlanError::NoPlan(course.no_plan(&best, worst))),
+    }
 }

@@ -1,9 +1,14 @@
+//! Planning again when the scene has changed.
+
 use crate::attempt::{Course, Origin};
+use crate::error::PlanError;
+use crate::observer::Observer;
+use crate::options::{NetLength, PlanOptions};
+use crate::plan::{Planned, plan, rehearsed};
+use crate::prepare::{Prepared, prepare};
 use crate::run::Run;
-use crate::{Observer, PlanError, PlanOptions, Planned, Stage, plan};
-use pairtrawl_certificate::infeasibility;
-use pairtrawl_model::{PairPose, PairTrajectory, Plan, Scales, Scene, SceneReference};
-use pairtrawl_world::World;
+use pairtrawl_geometry::Segment;
+use pairtrawl_model::{PairTrajectory, Plan, Scene, SceneReference, Warning};
 
 /// Fewest waypoints that are worth a warm start.
 const FEWEST: usize = 8;
@@ -35,95 +40,75 @@ impl Planner {
     }
 
     /// Plans a scene that has changed since `before` was planned: an obstacle moved by centimeters, an object was found
-    /// within the band, the robots are off the plan or on their way (the new scene then starts where they are and lists
-    /// what is still to be gathered). The optimization starts from the rest of the old plan. Where no certified plan
-    /// follows from that, the scene is planned from nothing, and a warning says so.
+    /// within the band, the robots are off the plan or on their way. The new scene starts where the robots are and lists
+    /// what is still to be gathered.
+    ///
+    /// `passed` is the last waypoint of `before` that the pair has passed: 0 before it sets out, later
+    /// [`Plan::waypoint_at`] the time of the drive. It is not told from the robots' places, since a way may pass the same
+    /// place twice. The net keeps the length that it has in `before`, whatever the options say: it is in tow.
+    ///
+    /// The optimization starts from the waypoints ahead. Where no certified plan follows from them, the scene is planned
+    /// from nothing, and a warning says so.
     ///
     /// # Errors
     /// As [`plan`](crate::plan()).
     pub fn replan(
         &self,
         before: &Plan,
+        passed: usize,
         scene: &Scene,
         reference: &SceneReference,
         observer: &mut dyn Observer,
     ) -> Result<Planned, PlanError> {
-        let options = &self.options;
-        let rest = rest_of(&before.trajectory, &scene.start);
-        if rest.len() >= FEWEST {
-            match warm(before, &rest, scene, reference, options, observer) {
-                Err(PlanError::NoPlan { .. }) => {}
+        let options = PlanOptions {
+            net_length: Some(NetLength::Fixed(before.net_length)),
+            ..self.options.clone()
+        };
+        let ahead = before.trajectory.from_waypoint(passed);
+        if ahead.len() >= FEWEST {
+            let mut run = Run::new(&options, observer);
+            let prepared = prepare(scene, &options, &mut run)?;
+            match warm(&prepared, &ahead, reference, run) {
+                Err(PlanError::NoPlan(_)) => {}
                 ended => return ended,
             }
         }
-        let mut planned = plan(scene, reference, options, observer)?;
-        let warning = "no certified plan followed from the one before: planned from nothing";
-        planned.plan.warnings.push(warning.to_owned());
+        let mut planned = plan(scene, reference, &options, observer)?;
+        planned.plan.warnings.push(Warning::PlannedFromNothing);
         Ok(planned)
     }
 }
 
+/// Plans from the rest of an earlier plan, in m.
 fn warm(
-    before: &Plan,
-    rest: &PairTrajectory,
-    scene: &Scene,
+    prepared: &Prepared,
+    ahead: &PairTrajectory,
     reference: &SceneReference,
-    options: &PlanOptions,
-    observer: &mut dyn Observer,
+    mut run: Run,
 ) -> Result<Planned, PlanError> {
-    let mut run = Run::new(options, observer);
-    let net_length = options.net_length_for(scene);
-    let proof = run.stage(Stage::Proofs, || infeasibility::prove(scene, net_length))?;
-    if let Some(proof) = proof {
-        return Err(PlanError::Infeasible {
-            proof: proof.message,
-        });
-    }
-    let scales = Scales::of(scene);
-    let scaled = scales.scene(scene);
-    let net_length = net_length.map(|length| scales.scaled(length));
-    let world = run
-        .stage(Stage::World, || World::new(&scaled, net_length))?
-        .map_err(|error| error.in_meters(scales.length))?;
-    // The order is told from the old plan only while there are as many circles.
-    let order = if before.order.len() == world.circles.len() {
-        before.order.clone()
-    } else {
-        (0..world.circles.len()).collect()
-    };
-    let course = Course {
-        scene,
-        scales,
-        scaled: &scaled,
-        net_length,
-        world: &world,
-        order: &order,
-        options,
-    };
-    let rest = scales.scaled_trajectory(rest);
-    let origin = Origin::Before(&rest, scales.scaled(before.net_length));
-    let (attempt, rehearsal) = course.rehearsed_attempt(&origin, &mut run)?;
-    let mut plan = attempt.into_plan(&course, reference, rehearsal.as_ref());
-    plan.centerline = before.centerline.clone();
+    let ahead = prepared.scales.scaled_trajectory(ahead);
+    let net_length = prepared.net_length.unwrap_or_default();
+    let order = swept_order(prepared, &ahead);
+    let course = Course::new(prepared, &order);
+    let (attempt, rehearsal) = rehearsed(&course, &Origin::Before(&ahead, net_length), &mut run)?;
     Ok(Planned {
-        plan,
+        plan: attempt.into_plan(&course, reference, rehearsal.as_ref()),
         rehearsal,
         stages: run.stages,
     })
 }
 
-/// The part of a trajectory that is still ahead of a pair: from the waypoint that is nearest to it.
-fn rest_of(trajectory: &PairTrajectory, pair: &PairPose) -> PairTrajectory {
-    let off = |i: usize| {
-        let at = trajectory.pair(i);
-        at.left.position().distance(pair.left.position())
-            + at.right.position().distance(pair.right.position())
+/// The circles in the order in which the line between the robots comes nearest to them.
+fn swept_order(prepared: &Prepared, pair: &PairTrajectory) -> Vec<usize> {
+    let circles = &prepared.world.circles;
+    let nearest = |circle: usize| {
+        let distance = |i: &usize| {
+            let line = Segment::new(pair.left[*i].position(), pair.right[*i].position());
+            line.distance(circles[circle].center)
+        };
+        (0..pair.len()).min_by(|a, b| distance(a).total_cmp(&distance(b)))
     };
-    let nearest = (0..trajectory.len()).min_by(|a, b| off(*a).total_cmp(&off(*b)));
-    let from = nearest.unwrap_or(0);
-    PairTrajectory {
-        left: trajectory.left[from..].to_vec(),
-        right: trajectory.right[from..].to_vec(),
-        step_time: trajectory.step_time,
-    }
+    let mut order: Vec<usize> = (0..circles.len()).collect();
+    order.sort_by_key(|&circle| nearest(circle));
+    order
 }

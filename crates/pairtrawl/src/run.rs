@@ -1,4 +1,6 @@
-use crate::{Observer, PlanError, PlanOptions, Stage};
+use crate::error::PlanError;
+use crate::observer::{Observer, Stage};
+use crate::options::PlanOptions;
 use pairtrawl_model::StageTime;
 use std::time::Instant;
 
@@ -32,11 +34,23 @@ impl<'a> Run<'a> {
         self.watched_stage(stage, |_| work())
     }
 
-    /// Runs a stage that asks now and then whether it may go on.
+    /// Runs a stage that asks now and then, perhaps from several threads, whether it may go on. When it may not, its result
+    /// is thrown away.
     pub fn watched_stage<T>(
         &mut self,
         stage: Stage,
-        work: impl FnOnce(&dyn Fn() -> bool) -> T,
+        work: impl FnOnce(&(dyn Fn() -> bool + Sync)) -> T,
+    ) -> Result<T, PlanError> {
+        let result = self.unfinished_stage(stage, work)?;
+        self.may_go_on()?;
+        Ok(result)
+    }
+
+    /// The same for a stage whose result is of use even when it was stopped.
+    pub fn unfinished_stage<T>(
+        &mut self,
+        stage: Stage,
+        work: impl FnOnce(&(dyn Fn() -> bool + Sync)) -> T,
     ) -> Result<T, PlanError> {
         self.may_go_on()?;
         self.last = stage;
@@ -56,7 +70,6 @@ impl<'a> Run<'a> {
                 seconds,
             }),
         }
-        self.may_go_on()?;
         Ok(result)
     }
 

@@ -11,7 +11,7 @@ pub use execution::summarize_execution;
 
 use pairtrawl_geometry::{Point, Segment, SweptLine};
 use pairtrawl_model::{
-    Event, PairTrajectory, Plan, RehearsalRecord, Scene, SceneOutline, StageTime, Summary,
+    Event, PairTrajectory, Plan, RehearsalRecord, Scene, SceneOutline, StageTime, Summary, Warning,
 };
 
 /// Computes the summary of a plan: curves over time, exact clearances, when each object is swept, path lengths.
@@ -35,7 +35,12 @@ pub fn summarize(
             .flat_map(|r| panels::of_rehearsal(scene, r)),
     );
     let mut warnings = plan.warnings.clone();
-    warnings.extend(rehearsal.iter().flat_map(|r| r.warnings.clone()));
+    warnings.extend(
+        rehearsal
+            .iter()
+            .flat_map(|r| r.warnings.clone())
+            .map(Warning::Stated),
+    );
     Summary {
         title: scene.name.clone(),
         net_length: plan.net_length,
@@ -172,7 +177,7 @@ mod tests {
                 kkt_error: 1e-9,
                 seconds: 0.01,
             },
-            warnings: vec!["one".to_owned()],
+            warnings: vec![Warning::Stated("one".to_owned())],
         }
     }
 
@@ -235,7 +240,7 @@ mod tests {
         // The object is 0.51 m from the start line: 10.2 steps.
         assert!(is_near(summary.swept_at[0].unwrap(), 10.2 * 0.25));
         assert!(summary.net_length_chosen);
-        assert_eq!(summary.warnings, ["one"]);
+        assert_eq!(stated(&summary), ["one"]);
         assert!(summary.frames.is_none());
     }
 
@@ -280,6 +285,10 @@ mod tests {
         assert!(summary.panels.iter().all(|p| p.key != "clearance"));
     }
 
+    fn stated(summary: &Summary) -> Vec<String> {
+        summary.warnings.iter().map(ToString::to_string).collect()
+    }
+
     #[test]
     fn long_rehearsals_are_thinned_out_but_keep_both_ends() {
         let scene = scene();
@@ -304,6 +313,6 @@ mod tests {
         assert!(frames.times.windows(2).all(|w| w[0] < w[1]));
         // The curve keeps every frame: a peak must not vanish.
         assert_eq!(values(&summary, "tension", "left").len(), 5000);
-        assert_eq!(summary.warnings, ["one", "two"]);
+        assert_eq!(stated(&summary), ["one", "two"]);
     }
 }

@@ -84,7 +84,7 @@ fn plan() -> Plan {
             kkt_error: 1e-7,
             seconds: 0.012,
         },
-        warnings: vec!["narrow".to_owned()],
+        warnings: vec![pairtrawl_model::Warning::Stated("narrow".to_owned())],
     }
 }
 

@@ -2,12 +2,12 @@
 
 use pairtrawl::files::{LoadedScene, read_scene};
 use pairtrawl::geometry::Pose;
-use pairtrawl::model::{Footprint, Object, Obstacle, Rehearsal};
+use pairtrawl::model::{Footprint, Object, Obstacle, Rehearsal, Warning};
 use pairtrawl::{
     NetLength, Observer, OrderMethod, PlanError, PlanOptions, Planned, Planner, RehearsalMode,
     Stage, plan,
 };
-use std::cell::Cell;
+use std::sync::atomic::{AtomicUsize, Ordering};
 use std::time::Duration;
 
 fn scene(name: &str) -> LoadedScene {
@@ -31,7 +31,7 @@ fn planned(loaded: &LoadedScene, options: &PlanOptions) -> Planned {
 
 /// Stops after so many questions, and remembers which stages began.
 struct Impatient {
-    questions: Cell<usize>,
+    questions: AtomicUsize,
     stages: Vec<Stage>,
 }
 
@@ -41,9 +41,11 @@ impl Observer for Impatient {
     }
 
     fn interrupted(&self) -> bool {
-        let left = self.questions.get();
-        self.questions.set(left.saturating_sub(1));
-        left == 0
+        let one_less = |left: usize| left.checked_sub(1);
+        let asked = self
+            .questions
+            .fetch_update(Ordering::Relaxed, Ordering::Relaxed, one_less);
+        asked.is_err()
     }
 }
 
@@ -51,7 +53,7 @@ impl Observer for Impatient {
 fn stages_run_in_order_and_are_timed() {
     let loaded = scene("witness-9");
     let mut watch = Impatient {
-        questions: Cell::new(usize::MAX),
+        questions: AtomicUsize::new(usize::MAX),
         stages: Vec::new(),
     };
     let made = plan(
@@ -89,7 +91,7 @@ fn an_observer_stops_it_at_any_question() {
     let loaded = scene("witness-9");
     for questions in [0, 1, 5, 9, 12, 20] {
         let mut watch = Impatient {
-            questions: Cell::new(questions),
+            questions: AtomicUsize::new(questions),
             stages: Vec::new(),
         };
         let stopped = plan(&loaded.scene, &loaded.reference, &quick(), &mut watch);
@@ -174,7 +176,7 @@ fn a_moved_obstacle_is_planned_around_from_the_plan_before() {
     max.x -= 0.04;
     max.y += 0.06;
     let again = planner
-        .replan(&before, &loaded.scene, &loaded.reference, &mut ())
+        .replan(&before, 0, &loaded.scene, &loaded.reference, &mut ())
         .expect("there is a plan")
         .plan;
     assert!(again.certificate.is_valid());
@@ -182,7 +184,7 @@ fn a_moved_obstacle_is_planned_around_from_the_plan_before() {
         again
             .warnings
             .iter()
-            .filter(|w| w.contains("from nothing"))
+            .filter(|w| **w == Warning::PlannedFromNothing)
             .count(),
         0
     );
@@ -216,7 +218,7 @@ fn a_pair_that_is_on_its_way_and_off_its_path_is_planned_on() {
         .objects
         .retain(|object| object.position.y > start_y || object.position.x > 1.5);
     let again = planner
-        .replan(&before, &loaded.scene, &loaded.reference, &mut ())
+        .replan(&before, at, &loaded.scene, &loaded.reference, &mut ())
         .expect("there is a plan")
         .plan;
     assert!(again.certificate.is_valid());
@@ -235,7 +237,7 @@ fn an_object_off_the_path_makes_it_plan_from_nothing() {
         mass: 0.025,
     });
     let again = planner
-        .replan(&before, &loaded.scene, &loaded.reference, &mut ())
+        .replan(&before, 0, &loaded.scene, &loaded.reference, &mut ())
         .expect("there is a plan")
         .plan;
     assert!(again.certificate.is_valid());
@@ -243,7 +245,7 @@ fn an_object_off_the_path_makes_it_plan_from_nothing() {
         again
             .warnings
             .iter()
-            .filter(|w| w.contains("from nothing"))
+            .filter(|w| **w == Warning::PlannedFromNothing)
             .count(),
         1,
         "{:?}",

@@ -70,7 +70,12 @@ pub fn length_csv(curve: &LengthCurve) -> String {
             }
             Err(reason) => {
                 out.push_str(",,,,,,\"");
-                out.push_str(&reason.replace('"', "\"\"").replace(['\n', '\r'], " "));
+                out.push_str(
+                    &reason
+                        .to_string()
+                        .replace('"', "\"\"")
+                        .replace(['\n', '\r'], " "),
+                );
                 out.push_str("\"\n");
             }
         }

@@ -2,7 +2,7 @@
 
 mod sample;
 
-use pairtrawl_model::Summary;
+use pairtrawl_model::{Summary, Warning};
 use pairtrawl_report::report_html;
 use scraper::{Html, Selector};
 use serde_json::Value;
@@ -48,7 +48,7 @@ fn unpack(list: &Value, unit: f64) -> Vec<f64> {
 fn hostile(mut summary: Summary) -> Summary {
     let text = "</script><b>\"'&\u{0}\u{2028}<!--<script>";
     summary.title = text.to_owned();
-    summary.warnings = vec![text.to_owned()];
+    summary.warnings = vec![Warning::Stated(text.to_owned())];
     summary.claims[0].claim.detail = text.to_owned();
     summary.stages[0].name = text.to_owned();
     summary.panels[0].title = text.to_owned();

@@ -3,7 +3,7 @@
 mod sample;
 
 use pairtrawl_geometry::Point;
-use pairtrawl_model::{Cost, LengthCurve, LengthPoint};
+use pairtrawl_model::{Cost, LengthCurve, LengthPoint, LengthRefusal};
 use pairtrawl_report::{length_csv, length_svg, plan_svg, series_csv};
 use roxmltree::{Document, Node};
 
@@ -250,7 +250,9 @@ fn curve() -> LengthCurve {
         points: vec![
             LengthPoint {
                 net_length: 0.8,
-                outcome: Err("the net is shorter than \"the start\"".to_owned()),
+                outcome: Err(LengthRefusal::NotFound(
+                    "the net is shorter than \"the start\"".to_owned(),
+                )),
             },
             LengthPoint {
                 net_length: 1.0,
@@ -266,6 +268,7 @@ fn curve() -> LengthCurve {
             },
         ],
         minimum: Some((1.18, cost(231.0))),
+        interrupted: false,
     }
 }
 

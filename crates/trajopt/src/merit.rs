@@ -71,3 +71,10 @@ pub struct Residuals {
     /// How many products that are.
     pub products: usize,
 }
+
+impl Residuals {
+    /// The largest of the dual, the primal and the complementarity residual.
+    pub fn largest(&self) -> f64 {
+        self.dual.max(self.primal).max(self.complementarity)
+    }
+}

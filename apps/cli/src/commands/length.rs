@@ -121,7 +121,7 @@ fn curve_text(curve: &LengthCurve) -> String {
             cost.total()
         );
     }
-    if let Some((low, high)) = flat(curve) {
+    if let Some((low, high)) = curve.flat_range(FLAT) {
         let _ = writeln!(
             text,
             "  within {:.0} % of it from {low:.3} to {high:.3} m",
@@ -144,12 +144,13 @@ fn terms(cost: &Cost) -> Value {
 fn curve_json(curve: &LengthCurve) -> Value {
     json!({
         "scene": curve.title,
+        "interrupted": curve.interrupted,
         "points": curve.points.iter().map(|point| match &point.outcome {
             Ok(cost) => json!({ "net_length": point.net_length, "cost": terms(cost) }),
-            Err(reason) => json!({ "net_length": point.net_length, "reason": reason }),
+            Err(reason) => json!({ "net_length": point.net_length, "reason": reason.to_string() }),
         }).collect::<Vec<_>>(),
         "minimum": curve.minimum.as_ref().map(|(length, cost)| json!({ "net_length": length, "cost": terms(cost) })),
-        "flat": flat(curve).map(|(low, high)| json!({ "share": FLAT, "from": low, "to": high })),
+        "flat": curve.flat_range(FLAT).map(|(low, high)| json!({ "share": FLAT, "from": low, "to": high })),
     })
 }
 
@@ -206,19 +207,4 @@ fn study_csv(curve: &LengthCurve, study: &SeparationStudy) -> String {
         );
     }
     text
-}
-
-/// The least and the greatest of the computed lengths, the best one included, whose cost is within [`FLAT`] of the least.
-fn flat(curve: &LengthCurve) -> Option<(f64, f64)> {
-    let (best, cost) = curve.minimum.as_ref()?;
-    let bound = cost.total() * (1.0 + FLAT);
-    let good = |cost: &Cost| cost.total() <= bound;
-    let lengths = curve
-        .points
-        .iter()
-        .filter(|point| point.outcome.as_ref().is_ok_and(good))
-        .map(|point| point.net_length);
-    Some(lengths.fold((*best, *best), |(low, high), length| {
-        (f64::min(low, length), f64::max(high, length))
-    }))
 }

@@ -8,7 +8,7 @@ use crate::progress::Progress;
 use crate::summary_text;
 use pairtrawl::PlanError;
 use pairtrawl::files::{self, LoadedScene};
-use pairtrawl::model::{Plan, Scene, Side, Summary};
+use pairtrawl::model::{Plan, Scene, Side, Summary, Warning};
 use pairtrawl::reference::Reference;
 use serde_json::json;
 use std::path::{Path, PathBuf};
@@ -47,7 +47,7 @@ fn plan_and_write(
     planned
         .plan
         .warnings
-        .splice(0..0, loaded.warnings.iter().cloned());
+        .splice(0..0, loaded.warnings.iter().cloned().map(Warning::Stated));
     let summary = pairtrawl::summarize(
         &loaded.scene,
         &planned.plan,
@@ -136,24 +136,18 @@ impl From<PlanError> for Failure {
             PlanError::Interrupted => Exit::Interrupted,
         };
         let details = match &error {
-            PlanError::NoPlan {
-                claim,
-                step,
-                place,
-                margin,
-                ..
-            } => json!({
-                "claim": claim.map(pairtrawl::model::ClaimId::name),
-                "step": step,
-                "where": place.map(<[f64; 2]>::from),
-                "margin": margin,
+            PlanError::NoPlan(missing) => json!({
+                "claim": missing.claim().map(|claim| claim.id.name()),
+                "step": missing.claim().and_then(|claim| claim.step),
+                "where": missing.place().map(<[f64; 2]>::from),
+                "margin": missing.claim().map(|claim| claim.margin),
             }),
             PlanError::TimeLimit { limit, stage } => {
                 json!({ "limit": limit, "stage": stage.name() })
             }
             _ => serde_json::Value::Null,
         };
-        let remedy = error.remedy().map(str::to_owned);
+        let remedy = error.remedy();
         Self {
             exit,
             message: error.to_string(),

@@ -61,7 +61,7 @@ impl From<&Plan> for File {
             certificate: Some(FileCertificate::from(&plan.certificate)),
             rehearsal: Some(FileRehearsal::from(&plan.rehearsal)),
             solver: Some(FileSolver::from(&plan.solver)),
-            warnings: Some(plan.warnings.clone()),
+            warnings: Some(plan.warnings.iter().map(ToString::to_string).collect()),
         }
     }
 }

@@ -1,6 +1,11 @@
+//! The paper's comparison of its U-shaped separation cost with two other rules.
+
+use crate::common_start::{CommonStart, study_options};
+use crate::error::PlanError;
+use crate::length::LengthRange;
+use crate::observer::{Observer, Stage};
+use crate::options::PlanOptions;
 use crate::run::Run;
-use crate::starts::CommonStart;
-use crate::{LengthRange, Observer, PlanError, PlanOptions, Stage};
 use pairtrawl_model::{Cost, PairTrajectory, Scene};
 use pairtrawl_trajopt::{Problem, SeparationRule, Settings, Solution, evaluate, optimize};
 use rayon::prelude::*;
@@ -27,14 +32,10 @@ pub fn separation_study(
     observer: &mut dyn Observer,
 ) -> Result<SeparationStudy, PlanError> {
     let mut run = Run::new(options, observer);
-    let CommonStart {
-        scales,
-        scaled,
-        world,
-        pair: baseline,
-        ..
-    } = CommonStart::new(scene, options, &mut run)?;
-    let problem = |net_length| Problem::new(&scaled, Some(net_length), &world.pieces);
+    let open = study_options(options);
+    let (prepared, CommonStart { pair: baseline, .. }) = CommonStart::find(scene, &open, &mut run)?;
+    let (scales, scaled) = (&prepared.scales, &prepared.scaled);
+    let problem = |net_length| Problem::new(scaled, Some(net_length), &prepared.world.pieces);
     let settings = Settings::default();
 
     let lengths: Vec<f64> = range.lengths().collect();
@@ -49,12 +50,12 @@ pub fn separation_study(
                 let problem =
                     problem(scaled_length).with_rigid_separation(baseline.len(), scaled_length);
                 let solution = optimize(&problem, &baseline, &settings);
-                let cost = evaluate(&scaled, &solution.trajectory, scaled_length);
+                let cost = evaluate(scaled, &solution.trajectory, scaled_length);
                 (length, refused(&solution).map_or(Ok(cost), Err))
             })
             .collect();
         let needed = needed_length(&solution.trajectory, scaled.robot.hitch);
-        let cost = evaluate(&scaled, &solution.trajectory, needed);
+        let cost = evaluate(scaled, &solution.trajectory, needed);
         SeparationStudy {
             free: refused(&solution).map_or(Ok((scales.meters(needed), cost)), Err),
             rigid,
