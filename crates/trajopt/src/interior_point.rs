@@ -1,12 +1,13 @@
 //! Primal-dual interior point with a filter line search (after Wächter and Biegler, Math. Program. 106, 2006) on the
 //! condensed banded system.
 
-use crate::assembly::System;
 use crate::iterate::{Iterate, STAGE};
+use crate::look_up::Beginning;
 use crate::problem::Problem;
 use crate::settings::Settings;
 use crate::shortfalls::shortfalls;
 use crate::state::State;
+use crate::system::System;
 use crate::workspace::Workspace;
 use pairtrawl_model::SolverStatus;
 
@@ -42,9 +43,11 @@ pub(crate) fn solve(
     work.filter.clear();
     loop {
         if moved(&looked_up, &state.x) > REFRESH_DISTANCE {
-            state
-                .set
-                .refresh(problem, &state.x, settings.elastic_weight, state.mu);
+            let beginning = Beginning {
+                elastic: settings.elastic_weight,
+                mu: state.mu,
+            };
+            state.set.refresh(problem, &state.x, beginning);
             state.measure(problem);
             looked_up.clone_from(&state.x);
             work.filter.clear();
@@ -112,9 +115,7 @@ impl Stall {
             };
         }
         let waited = state.iterations - self.since;
-        waited > 0
-            && waited.is_multiple_of(STALL_ITERATIONS)
-            && !shortfalls(problem, state).0.is_empty()
+        waited > 0 && waited.is_multiple_of(STALL_ITERATIONS) && shortfalls(problem, state).any()
     }
 }
 

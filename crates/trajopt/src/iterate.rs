@@ -14,6 +14,27 @@ pub(crate) struct Iterate {
     pub net_length: f64,
 }
 
+/// A change of the variables.
+#[derive(Clone, Debug, Default)]
+pub(crate) struct Direction {
+    /// Of the inner stages.
+    pub inner: Vec<f64>,
+    /// Of the net length.
+    pub length: f64,
+}
+
+impl Direction {
+    /// The change of a waypoint; that of the ends is zero.
+    #[inline]
+    pub fn stage(&self, i: usize) -> [f64; STAGE] {
+        let inner = i.checked_sub(1).and_then(|k| {
+            let b = k * STAGE;
+            self.inner.get(b..b + STAGE)
+        });
+        inner.map_or([0.0; STAGE], |d| std::array::from_fn(|v| d[v]))
+    }
+}
+
 impl Iterate {
     pub fn from_trajectory(pair: &PairTrajectory, net_length: f64) -> Self {
         let stages = pair
@@ -63,18 +84,24 @@ impl Iterate {
         Point::from(self.point(i, robot))
     }
 
-    /// `self = from + alpha * direction`, ends fixed; the direction lists the inner stages.
-    pub fn assign_stepped(&mut self, from: &Self, alpha: f64, direction: &[f64], net_length: f64) {
+    /// Half way between the robots.
+    pub fn middle(&self, i: usize) -> Point {
+        self.position(i, Side::Left)
+            .lerp(self.position(i, Side::Right), 0.5)
+    }
+
+    /// `self = from + alpha * direction`, ends fixed.
+    pub fn assign_stepped(&mut self, from: &Self, alpha: f64, direction: &Direction) {
         self.stages.clone_from(&from.stages);
         let inner = 1..from.stages.len() - 1;
         for (stage, change) in self.stages[inner]
             .iter_mut()
-            .zip(direction.chunks_exact(STAGE))
+            .zip(direction.inner.chunks_exact(STAGE))
         {
             for (z, d) in stage.iter_mut().zip(change) {
                 *z += alpha * d;
             }
         }
-        self.net_length = from.net_length + alpha * net_length;
+        self.net_length = from.net_length + alpha * direction.length;
     }
 }

@@ -16,12 +16,17 @@
 //! An interior point with elastic inequalities solves it; its Newton system is banded, with one dense row for `d_max`.
 
 #[macro_use]
+mod rule;
+
 mod active;
 mod alternating;
+mod anchor;
 mod assembly;
+mod block;
 mod constraints;
 mod cost;
 mod costs;
+mod crossings;
 mod filter;
 mod interior_point;
 mod iterate;
@@ -33,24 +38,30 @@ mod measure;
 mod merit;
 mod newton;
 mod optimize;
+mod own;
 mod pieces;
 mod problem;
 mod reinforce;
 mod row;
 mod settings;
 mod shortfalls;
+mod sight;
 mod state;
 mod step;
+mod system;
 mod term;
+mod tier;
 mod workspace;
 
 pub use alternating::{Alternation, FirstLength, alternate};
 pub use cost::evaluate;
 pub use merit::Residuals;
 pub use optimize::{Solution, optimize, optimize_from, optimize_watched};
+pub use own::Role;
 pub use problem::{Problem, Reserve, SeparationRule};
 pub use settings::Settings;
-pub use shortfalls::{ShrunkMargin, Violation};
+pub use shortfalls::{ShrunkMargin, Unmet, Violation};
+pub use term::{Jet, PAIR, POINT, Term};
 
 #[cfg(test)]
 mod tests;

@@ -19,7 +19,7 @@ impl Workspace {
         let mut alpha = longest;
         let reached = loop {
             self.trial
-                .assign_stepped(&state.x, alpha, &self.newton.direction, self.newton.length);
+                .assign_stepped(&state.x, alpha, &self.newton.direction);
             let merit = state.set.trial_merit(problem, &self.trial, alpha);
             let point = Point {
                 theta: merit.theta,
@@ -40,7 +40,7 @@ impl Workspace {
             reached
         } else {
             self.trial
-                .assign_stepped(&state.x, taken, &self.newton.direction, self.newton.length);
+                .assign_stepped(&state.x, taken, &self.newton.direction);
             state.set.trial_merit(problem, &self.trial, taken)
         };
         state.promise = slope.abs();

@@ -1,4 +1,4 @@
-//! What one cost or row adds to the condensed system, in its own coordinates.
+//! What costs and rows add to the condensed system, in their own coordinates.
 
 use crate::row::{Condensed, Row};
 use crate::term::Jet;
@@ -33,6 +33,17 @@ impl<const K: usize> Local<K> {
         local
     }
 
+    /// What a cost adds.
+    #[inline]
+    pub fn of_cost(jet: &Jet<K>) -> Self {
+        Self {
+            gradient: jet.gradient,
+            lagrangian: jet.gradient,
+            objective: jet.gradient,
+            hessian: jet.hessian,
+        }
+    }
+
     /// Adds a cost.
     #[inline]
     pub fn add_cost(&mut self, jet: &Jet<K>) {
@@ -46,21 +57,19 @@ impl<const K: usize> Local<K> {
         }
     }
 
-    /// Adds a row, which remembers its value and gradient.
+    /// Adds a row whose constraint has this gradient.
     ///
     /// Constraints lend no curvature of their own: what they have is mostly negative (distances from convex things are to
     /// be large), and small against that of the taut paths.
     #[inline]
-    pub fn add_row(&mut self, row: &mut Row<K>, (value, gradient): (f64, [f64; K]), mu: f64) {
-        row.c = value;
-        row.gradient = gradient;
+    pub fn add_row(&mut self, row: &mut Row, gradient: &[f64; K], mu: f64) {
         let condensed = row.condense(mu);
         for i in 0..K {
             let g = gradient[i];
             self.gradient[i] -= condensed.force * g;
             self.lagrangian[i] -= row.z * g;
             let sg = condensed.sigma * g;
-            for (h, other) in self.hessian[i].iter_mut().zip(&gradient) {
+            for (h, other) in self.hessian[i].iter_mut().zip(gradient) {
                 *h += sg * other;
             }
         }

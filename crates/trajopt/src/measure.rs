@@ -1,65 +1,42 @@
-//! What a point is worth: merit and residuals of all rows and costs together.
+//! What a point is worth: merit and residuals of all costs and rows together.
 
 use crate::active::ActiveSet;
+use crate::costs;
+use crate::costs::distance::Distance;
+use crate::costs::turning::Turning;
 use crate::iterate::{Iterate, STAGE};
 use crate::merit::{Merit, Residuals};
 use crate::problem::Problem;
 use crate::row::{Row, larger};
-use crate::step::{STEP_BOUNDS, Step};
+use crate::step::Step;
 use crate::term::Term;
 use pairtrawl_model::Side;
 
 impl ActiveSet {
     /// Merit and residuals of the point at which the rows stand.
     pub fn measure(&mut self, problem: &Problem, x: &Iterate, mu: f64) -> (Merit, Residuals) {
-        each_row_mut!(self, row, { row.rest() });
+        self.rows_mut().for_each(Row::rest);
         let merit = self.trial_merit(problem, x, 0.0);
         (merit, self.advance(0.0, mu))
     }
 
     /// Merit at a trial point, slacks stepped by `alpha`; rows keep the values of their constraints there.
     pub fn trial_merit(&mut self, problem: &Problem, x: &Iterate, alpha: f64) -> Merit {
-        let mut merit = Merit {
-            cost: objective(problem, x),
-            ..Merit::default()
-        };
-        let bounds = problem.step_bounds();
-        let steps = self.steps.chunks_exact_mut(STEP_BOUNDS);
-        for ((at, rows), frame) in steps.enumerate().zip(&mut self.frames) {
-            let step = problem.step(x, at / 2, Side::BOTH[at % 2]);
-            *frame = step;
-            merit.theta += step.across.abs();
-            merit.cost += problem.distance_weight() * step.along;
-            for (row, bound) in rows.iter_mut().zip(&bounds) {
-                merit.add(row, alpha, bound.value(&step));
-            }
+        let mut merit = Merit::default();
+        let distance = Distance::of(&problem.planner);
+        for (at, frame) in self.frames.iter_mut().enumerate() {
+            *frame = Step::seen(problem, x, at / 2, Side::BOTH[at % 2]);
+            merit.theta += frame.across.abs();
+            merit.cost += distance.value(&[frame.along]);
         }
+        merit.cost += other_costs(problem, x);
+        let point = (x, &self.frames[..]);
+        self.steps.add_to(&mut merit, problem, point, alpha);
+        // Of steps only turning gives way, and that is its cost.
         let turning = merit.elastic;
-        for pair in &mut self.pairs {
-            let stage = pair.stage as usize;
-            let z = x.pair(stage);
-            merit.add(
-                &mut pair.row,
-                alpha,
-                problem.pair_term(pair.kind, stage, |t| t.value(&z)),
-            );
-        }
-        for point in &mut self.points {
-            let z = x.point(point.stage as usize, point.robot);
-            merit.add(
-                &mut point.row,
-                alpha,
-                problem.point_term(&point.kind, |t| t.value(&z)),
-            );
-        }
-        for quad in &mut self.quads {
-            let z = x.quad(quad.step as usize);
-            merit.add(
-                &mut quad.row,
-                alpha,
-                problem.quad_distance(quad.piece, quad.tier).value(&z),
-            );
-        }
+        self.pairs.add_to(&mut merit, problem, point, alpha);
+        self.points.add_to(&mut merit, problem, point, alpha);
+        self.lines.add_to(&mut merit, problem, point, alpha);
         merit.violation = merit.elastic - turning;
         merit
     }
@@ -67,7 +44,7 @@ impl ActiveSet {
     /// All rows go to the last trial point; how feasible and complementary they are there.
     pub fn advance(&mut self, alpha: f64, mu: f64) -> Residuals {
         let mut r = Residuals::default();
-        each_row_mut!(self, row, {
+        self.rows_mut().for_each(|row| {
             row.advance(alpha);
             let (largest, products) = row.complementarity(mu);
             r.complementarity = larger(r.complementarity, largest);
@@ -81,30 +58,23 @@ impl ActiveSet {
     }
 }
 
-impl Merit {
-    #[inline]
-    fn add<const K: usize>(&mut self, row: &mut Row<K>, alpha: f64, c: f64) {
-        row.c = c;
-        let (s, e) = row.stepped(alpha, c);
-        self.theta += (c - s + e).abs();
-        row.add_to(self, s, e);
-    }
-}
-
-/// The objective but for driven distance, which is summed with the bounds of the steps.
-fn objective(problem: &Problem, x: &Iterate) -> f64 {
-    let (expansion, weights) = (problem.expansion(), problem.smoothness());
+/// The objective but for driven distance, and for that part of turning which is an elastic row.
+fn other_costs(problem: &Problem, x: &Iterate) -> f64 {
     let count = x.stages.len();
-    // Turning is -t2 delta, which telescopes, plus an elastic row.
     let turned = |v: usize| x.stages[count - 1][v] - x.stages[0][v];
-    let mut total = -problem.turn_weight() * (turned(2) + turned(5));
+    let mut total = Turning::of(&problem.planner).linear(turned(2) + turned(5));
     for i in 0..count {
-        total += expansion.value(&x.pair(i));
+        let z = x.pair(i);
+        costs::of_pair(problem, i, &mut |cost| total += cost.value(&z));
+        for robot in Side::BOTH {
+            let z = x.point(i, robot);
+            costs::of_point(problem, (i, robot), &mut |cost| total += cost.value(&z));
+        }
     }
-    for w in x.stages.windows(3) {
+    for i in 1..count - 1 {
         for v in 0..STAGE {
-            let difference = w[0][v] - 2.0 * w[1][v] + w[2][v];
-            total += weights[v % 3] * difference * difference;
+            let z = [i - 1, i, i + 1].map(|k| x.stages[k][v]);
+            costs::of_bend(problem, v, &mut |cost| total += cost.value(&z));
         }
     }
     total

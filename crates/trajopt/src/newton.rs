@@ -1,12 +1,14 @@
 //! The Newton direction of the condensed system, and what it means for slacks, violations and multipliers.
 
-use crate::assembly::{DUAL_REGULARIZATION, System};
-use crate::iterate::STAGE;
+use crate::anchor::Anchor;
+use crate::assembly::DUAL_REGULARIZATION;
+use crate::block::Block;
+use crate::iterate::{Direction, STAGE};
 use crate::linear::BandMatrix;
-use crate::row::Row;
+use crate::rule::Rules;
 use crate::state::State;
-use crate::step::{Coordinate, STEP_BOUNDS};
-use crate::term::PAIR;
+use crate::step::Step;
+use crate::system::System;
 use pairtrawl_model::Side;
 use std::ops::Range;
 
@@ -14,10 +16,7 @@ use std::ops::Range;
 #[derive(Clone, Debug, Default)]
 pub(crate) struct Newton {
     factor: BandMatrix,
-    /// Of the inner stages.
-    pub direction: Vec<f64>,
-    /// Of the net length.
-    pub length: f64,
+    pub direction: Direction,
     arrow: Vec<f64>,
     /// New multipliers of the equalities.
     pub lambda: Vec<f64>,
@@ -41,23 +40,27 @@ impl Newton {
                 .copy_block(&system.matrix, 0..system.gradient.len(), shift);
             self.shift = shift;
             if self.factor.factorize(SMALLEST_PIVOT).is_ok() {
-                self.direction.clear();
-                self.direction.extend(system.gradient.iter().map(|g| -g));
-                self.length = 0.0;
+                self.direction.inner.clear();
+                self.direction
+                    .inner
+                    .extend(system.gradient.iter().map(|g| -g));
+                self.direction.length = 0.0;
                 if !free_length {
-                    self.factor.solve([&mut self.direction]);
-                    return self.direction.iter().all(|d| d.is_finite());
+                    self.factor.solve([&mut self.direction.inner]);
+                    return self.direction.inner.iter().all(|d| d.is_finite());
                 }
                 self.arrow.clone_from(&system.arrow);
-                self.factor.solve([&mut self.direction, &mut self.arrow]);
+                self.factor
+                    .solve([&mut self.direction.inner, &mut self.arrow]);
                 let schur = system.length.diagonal + shift - dot(&system.arrow, &self.arrow);
                 if schur > SMALLEST_PIVOT {
-                    self.length =
-                        (-system.length.gradient - dot(&system.arrow, &self.direction)) / schur;
-                    for (d, a) in self.direction.iter_mut().zip(&self.arrow) {
-                        *d -= self.length * a;
+                    self.direction.length = (-system.length.gradient
+                        - dot(&system.arrow, &self.direction.inner))
+                        / schur;
+                    for (d, a) in self.direction.inner.iter_mut().zip(&self.arrow) {
+                        *d -= self.direction.length * a;
                     }
-                    return self.direction.iter().all(|d| d.is_finite());
+                    return self.direction.inner.iter().all(|d| d.is_finite());
                 }
             }
             shift *= 10.0;
@@ -79,35 +82,27 @@ impl Newton {
             .iter()
             .zip(&system.arrow[block.clone()]);
         self.arrow
-            .extend(columns.map(|(g, a)| -g - a * self.length));
+            .extend(columns.map(|(g, a)| -g - a * self.direction.length));
         system
             .matrix
-            .subtract_outside(block.clone(), &self.direction, &mut self.arrow);
+            .subtract_outside(block.clone(), &self.direction.inner, &mut self.arrow);
         self.factor.solve([&mut self.arrow]);
-        self.direction[block].copy_from_slice(&self.arrow);
+        self.direction.inner[block].copy_from_slice(&self.arrow);
         self.arrow.iter().all(|d| d.is_finite())
     }
 
     /// Slope of the barrier function along the direction.
     pub fn slope(&self, system: &System) -> f64 {
-        let objective = dot(&system.objective, &self.direction);
+        let objective = dot(&system.objective, &self.direction.inner);
         let barrier: f64 = self.slopes.iter().sum();
-        objective + system.length.objective * self.length + barrier
-    }
-
-    fn stage(&self, i: usize, count: usize) -> [f64; STAGE] {
-        if i == 0 || i + 1 == count {
-            return [0.0; STAGE];
-        }
-        let b = (i - 1) * STAGE;
-        std::array::from_fn(|v| self.direction[b + v])
+        objective + system.length.objective * self.direction.length + barrier
     }
 
     /// Longest primal step that all rows and the net length allow.
     pub fn longest(&self, state: &State) -> f64 {
         // The net keeps half of its length in a step: what is convex in it is so only for positive lengths.
-        let of_length = if self.length < 0.0 {
-            (-0.5 * state.x.net_length / self.length).min(1.0)
+        let of_length = if self.direction.length < 0.0 {
+            (-0.5 * state.x.net_length / self.direction.length).min(1.0)
         } else {
             1.0
         };
@@ -125,88 +120,57 @@ impl Newton {
 
     /// As [`Self::recover`] for the rows of a range of stages and of the steps from them.
     pub fn recover_part(&mut self, state: &mut State, frozen: Option<Side>, part: Range<usize>) {
-        let (count, mu, set) = (state.x.stages.len(), state.mu, &mut state.set);
+        let (mu, set) = (state.mu, &mut state.set);
         self.limits[part.clone()].fill(1.0);
         self.slopes[part.clone()].fill(0.0);
-        let steps = part.start..part.end.min(count - 1);
-        for (i, robot) in steps.flat_map(|i| Side::BOTH.map(|robot| (i, robot))) {
-            let at = 2 * i + robot.index();
-            let k = 3 * robot.index();
-            let (a, b) = (self.stage(i, count), self.stage(i + 1, count));
-            let step = &set.frames[at];
-            let (along, across, turn) = step.change(&a[k..k + 3], &b[k..k + 3]);
-            let rows = &mut set.steps[at * STEP_BOUNDS..(at + 1) * STEP_BOUNDS];
-            for (kind, row) in rows.iter_mut().enumerate() {
-                let change = [along, across, turn][Coordinate::of_bound(kind).index()];
-                finish(
-                    row,
-                    mu,
-                    &[change],
-                    (&mut self.limits[i], &mut self.slopes[i]),
-                );
+        let (frames, part) = (&set.frames, &part);
+        self.recover_slips(&state.lambda, frames, frozen, part);
+        self.recover_rows(&mut set.steps, frames, mu, part);
+        self.recover_rows(&mut set.pairs, frames, mu, part);
+        self.recover_rows(&mut set.points, frames, mu, part);
+        self.recover_rows(&mut set.lines, frames, mu, part);
+    }
+
+    fn recover_slips(
+        &mut self,
+        lambda: &[f64],
+        frames: &[Step],
+        frozen: Option<Side>,
+        part: &Range<usize>,
+    ) {
+        for i in part.start..part.end.min(frames.len() / 2) {
+            let (a, b) = (self.direction.stage(i), self.direction.stage(i + 1));
+            for robot in Side::BOTH.into_iter().filter(|r| frozen != Some(*r)) {
+                let (at, k) = (2 * i + robot.index(), 3 * robot.index());
+                let (_, across, _) = frames[at].change(&a[k..k + 3], &b[k..k + 3]);
+                self.lambda[at] = lambda[at] + (frames[at].across + across) / DUAL_REGULARIZATION;
             }
-            if frozen != Some(robot) {
-                self.lambda[at] = state.lambda[at] + (step.across + across) / DUAL_REGULARIZATION;
-            }
-        }
-        for pair in within(&mut set.pairs, &part, |p| p.stage) {
-            let i = pair.stage as usize;
-            let d = self.stage(i, count);
-            let local: [f64; PAIR] = [d[0] - d[3], d[1] - d[4], d[2], d[5], self.length];
-            finish(
-                &mut pair.row,
-                mu,
-                &local,
-                (&mut self.limits[i], &mut self.slopes[i]),
-            );
-        }
-        for point in within(&mut set.points, &part, |p| p.stage) {
-            let i = point.stage as usize;
-            let d = self.stage(i, count);
-            let k = 3 * point.robot.index();
-            let local = [d[k], d[k + 1]];
-            finish(
-                &mut point.row,
-                mu,
-                &local,
-                (&mut self.limits[i], &mut self.slopes[i]),
-            );
-        }
-        for quad in within(&mut set.quads, &part, |q| q.step) {
-            let i = quad.step as usize;
-            let (a, b) = (self.stage(i, count), self.stage(i + 1, count));
-            let local = [a[0], a[1], a[3], a[4], b[0], b[1], b[3], b[4]];
-            finish(
-                &mut quad.row,
-                mu,
-                &local,
-                (&mut self.limits[i], &mut self.slopes[i]),
-            );
         }
     }
-}
 
-/// The rows of a range of stages, out of a list in the order of stages.
-pub(crate) fn within<'a, T>(
-    rows: &'a mut [T],
-    part: &Range<usize>,
-    stage: impl Fn(&T) -> u32,
-) -> &'a mut [T] {
-    let first = rows.partition_point(|r| (stage(r) as usize) < part.start);
-    let end = rows.partition_point(|r| (stage(r) as usize) < part.end);
-    &mut rows[first..end]
-}
-
-#[inline]
-fn finish<const K: usize>(
-    row: &mut Row<K>,
-    mu: f64,
-    local: &[f64; K],
-    (limit, slope): (&mut f64, &mut f64),
-) {
-    row.recover(mu, inner(&row.gradient, local));
-    row.limit_step(limit);
-    *slope += row.barrier_slope(mu);
+    fn recover_rows<R: Rules<K>, const K: usize>(
+        &mut self,
+        block: &mut Block<R, K>,
+        frames: &[Step],
+        mu: f64,
+        part: &Range<usize>,
+    ) {
+        let items = block.within(part);
+        let Some(mut last) = items.first().map(|item| item.at) else {
+            return;
+        };
+        let mut change = last.change(&self.direction, frames);
+        for item in items {
+            if item.at != last {
+                last = item.at;
+                change = last.change(&self.direction, frames);
+            }
+            let i = last.stage();
+            item.row.recover(mu, inner(&item.gradient, &change));
+            item.row.limit_step(&mut self.limits[i]);
+            self.slopes[i] += item.row.barrier_slope(mu);
+        }
+    }
 }
 
 #[inline]

@@ -1,11 +1,14 @@
+use crate::costs::distance::Distance;
+use crate::costs::turning::Turning;
 use crate::interior_point::solve;
 use crate::iterate::Iterate;
 use crate::merit::Residuals;
 use crate::problem::Problem;
 use crate::settings::Settings;
-use crate::shortfalls::{ShrunkMargin, Violation, shortfalls};
+use crate::shortfalls::{ShrunkMargin, Unmet, Violation, shortfalls};
 use crate::state::State;
 use crate::step::Step;
+use crate::term::Term;
 use crate::workspace::Workspace;
 use pairtrawl_model::{PairTrajectory, SolverStatus};
 
@@ -26,6 +29,8 @@ pub struct Solution {
     pub residuals: Residuals,
     /// Constraints that could not be met, worst first.
     pub violations: Vec<Violation>,
+    /// Constraints of the user's that could not be met, worst first.
+    pub unmet: Vec<Unmet>,
     /// Wished-for margins that had to give way, one entry for each robot and thing, at the tightest waypoint.
     pub shrunk_margins: Vec<ShrunkMargin>,
 }
@@ -71,29 +76,29 @@ pub fn optimize_from(
     let mut work = Workspace::default();
     let mut go_on = |s: &State| go_on(s.iterations, &s.residuals);
     let mut status = solve(problem, &mut state, &settings, &mut work, &mut go_on);
-    let (mut violations, mut shrunk_margins) = shortfalls(problem, &state);
+    let mut short = shortfalls(problem, &state);
     // Violations may only have been too cheap; those that a far higher price does not lessen are not.
     while matches!(
         status,
         SolverStatus::Converged | SolverStatus::LocallyInfeasible
-    ) && !violations.is_empty()
+    ) && short.any()
         && settings.elastic_weight < GREATEST_ELASTIC_WEIGHT
     {
-        let before = total(&violations);
+        let before = short.total();
         settings.elastic_weight *= ELASTIC_WEIGHT_INCREASE;
         let iterations = state.iterations;
         state = State::new(problem, state.x, &settings);
         state.iterations = iterations;
         status = solve(problem, &mut state, &settings, &mut work, &mut go_on);
-        (violations, shrunk_margins) = shortfalls(problem, &state);
-        if total(&violations) > STUBBORN_SHARE * before {
+        short = shortfalls(problem, &state);
+        if short.total() > STUBBORN_SHARE * before {
             break;
         }
     }
     status = match status {
-        SolverStatus::Converged if !violations.is_empty() => SolverStatus::LocallyInfeasible,
+        SolverStatus::Converged if short.any() => SolverStatus::LocallyInfeasible,
         // What stalled was no claim, but something that only helps.
-        SolverStatus::LocallyInfeasible if violations.is_empty() => SolverStatus::IterationLimit,
+        SolverStatus::LocallyInfeasible if !short.any() => SolverStatus::IterationLimit,
         other => other,
     };
     Solution {
@@ -103,8 +108,9 @@ pub fn optimize_from(
         status,
         iterations: state.iterations,
         residuals: state.residuals,
-        violations,
-        shrunk_margins,
+        violations: short.violations,
+        unmet: short.unmet,
+        shrunk_margins: short.margins,
     }
 }
 
@@ -113,18 +119,16 @@ fn held_cost(problem: &Problem, x: &Iterate) -> f64 {
     let Some(robot) = problem.frozen else {
         return 0.0;
     };
+    let p = &problem.planner;
+    let (distance, turning) = (Distance::of(p), Turning::of(p));
     (0..x.stages.len() - 1)
         .map(|i| {
-            let (real, seen) = (Step::of(x, i, robot), problem.step(x, i, robot));
-            problem.distance_weight() * (real.along - seen.along)
-                + 2.0 * problem.turn_weight() * real.turn.max(0.0)
+            let (real, seen) = (Step::of(x, i, robot), Step::seen(problem, x, i, robot));
+            let driven = distance.value(&[real.along]) - distance.value(&[seen.along]);
+            // The linear part of turning counts for either robot.
+            driven + turning.value(&[real.turn]) - turning.linear(real.turn)
         })
         .sum()
-}
-
-/// Sum of all violations, m and rad.
-fn total(violations: &[Violation]) -> f64 {
-    violations.iter().map(|v| v.amount).sum()
 }
 
 /// A net in which the start's mean separation is at rest, and which holds the widest pair.

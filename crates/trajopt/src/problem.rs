@@ -1,8 +1,10 @@
-use crate::constraints::{Abreast, NetReach, SeparationAbove, SeparationBelow};
-use crate::costs::Expansion;
+use crate::own::{OwnTerm, OwnTerms, Role};
 use crate::pieces::PieceIndex;
+use crate::term::{PAIR, POINT, Term};
 use pairtrawl_geometry::{Convex, Point};
 use pairtrawl_model::{Area, PairPose, PlannerParameters, Robot, Scene, Side};
+use std::ops::Range;
+use std::sync::Arc;
 
 /// What is optimized: costs, constraints, fixed ends. Immutable while solving.
 #[derive(Clone, Debug)]
@@ -31,6 +33,8 @@ pub struct Problem {
     pub separation: SeparationRule,
     /// The robot that stays where it is, as in Algorithm 1.
     pub frozen: Option<Side>,
+    /// Costs and constraints of the user's.
+    pub(crate) own: OwnTerms,
 }
 
 /// What is asked of the separation `d`. All but the first are the paper's comparisons: studies, whose results break claims.
@@ -98,6 +102,7 @@ impl Problem {
             },
             separation: SeparationRule::UShape,
             frozen: None,
+            own: OwnTerms::default(),
         }
     }
 
@@ -126,65 +131,48 @@ impl Problem {
         (0..).find(|&steps| reached(steps) >= change).unwrap_or(0)
     }
 
-    /// Cost of a meter driven.
-    pub(crate) fn distance_weight(&self) -> f64 {
-        self.planner.a2 * self.planner.t1
+    /// Adds a cost or constraint of the user's on the pair at a range of waypoints. Its local coordinates are
+    /// `rx, ry, phi_l, phi_r, d_max` ([`PAIR`]). A constraint is not asked of the ends, which are fixed; one that is not
+    /// met is named in `Solution::unmet`.
+    #[must_use]
+    pub fn with_pair_term(
+        mut self,
+        name: &str,
+        role: Role,
+        waypoints: Range<usize>,
+        term: impl Term<PAIR> + Send + Sync + 'static,
+    ) -> Self {
+        self.own.pair.push(OwnTerm {
+            name: name.to_owned(),
+            role,
+            waypoints,
+            term: Arc::new(term),
+        });
+        self
     }
 
-    /// Cost of a radian turned.
-    pub(crate) fn turn_weight(&self) -> f64 {
-        self.planner.a2 * self.planner.t2
-    }
-
-    pub(crate) fn expansion(&self) -> Expansion {
-        let p = &self.planner;
-        let weight = match self.separation {
-            SeparationRule::Free => 0.0,
-            _ => p.a4,
+    /// As [`Self::with_pair_term`], on a robot's axle center `x, y` ([`POINT`]).
+    #[must_use]
+    pub fn with_point_term(
+        mut self,
+        name: &str,
+        role: Role,
+        robot: Side,
+        waypoints: Range<usize>,
+        term: impl Term<POINT> + Send + Sync + 'static,
+    ) -> Self {
+        let own = OwnTerm {
+            name: name.to_owned(),
+            role,
+            waypoints,
+            term: Arc::new(term),
         };
-        Expansion {
-            weight,
-            kd1: p.kd1,
-            kd2: p.kd2,
-            rest_ratio: p.rest_ratio,
-            min_ratio: p.min_ratio,
-        }
+        self.own.point[robot.index()].push(own);
+        self
     }
 
-    pub(crate) fn smoothness(&self) -> [f64; 3] {
-        let p = &self.planner;
-        [p.a1 * p.b1, p.a1 * p.b2, p.a1 * p.b3]
-    }
-
-    pub(crate) fn separation_above(&self) -> SeparationAbove {
-        // With the net length free, 0.1 d_max stays below two radii up to 4.8 m.
-        let share = self
-            .net_length
-            .map_or(0.0, |length| self.planner.min_ratio * length);
-        SeparationAbove {
-            lower: share.max(2.0 * self.robot.radius) + self.reserve.separation,
-            ratio: 0.0,
-        }
-    }
-
-    pub(crate) fn separation_below(&self) -> SeparationBelow {
-        SeparationBelow {
-            reserve: 1e-6,
-            ratio: 1.0,
-        }
-    }
-
-    pub(crate) fn net_reach(&self) -> NetReach {
-        NetReach {
-            hitch: self.robot.hitch,
-            reserve: self.reserve.net_reach,
-        }
-    }
-
-    pub(crate) fn abreast(&self, heading: usize) -> Abreast {
-        Abreast {
-            cos_max_skew: libm::cos(self.planner.max_skew - self.reserve.skew),
-            heading,
-        }
+    /// A chord between waypoints comes this much nearer to a corner that is a robot radius away than the waypoints do.
+    pub(crate) fn sag(&self) -> f64 {
+        self.planner.max_step * self.planner.max_step / (8.0 * self.robot.radius)
     }
 }

@@ -5,15 +5,15 @@
 //! direction is found again: the others then go almost as far as they want. On a long course that is done where such rows
 //! are, and the rest of the direction stays. The curvature of the slip's frame stays that of the assembled multipliers.
 
-use crate::assembly::{StepDerivatives, System, base};
+use crate::anchor::Anchor;
+use crate::block::Block;
 use crate::local::Local;
-use crate::newton::within;
 use crate::problem::Problem;
-use crate::row::Condensed;
+use crate::rule::Rules;
 use crate::state::State;
-use crate::step::{Coordinate, STEP_BOUNDS, Step};
+use crate::step::Step;
+use crate::system::System;
 use crate::workspace::Workspace;
-use pairtrawl_model::Side;
 use std::ops::Range;
 
 /// Directions at most that are found again in an iteration.
@@ -95,58 +95,32 @@ impl System {
 
     /// The rows of a stage and of the step from it. False when none was raised.
     fn reinforce_stage(&mut self, state: &mut State, i: usize) -> bool {
-        let (count, mu, set) = (state.x.stages.len(), state.mu, &mut state.set);
-        let stage = i..i + 1;
+        let (mu, set) = (state.mu, &mut state.set);
+        let (frames, stage) = (&set.frames, i..i + 1);
+        let raised = [
+            self.reinforce_rows(&mut set.steps, frames, mu, &stage),
+            self.reinforce_rows(&mut set.pairs, frames, mu, &stage),
+            self.reinforce_rows(&mut set.points, frames, mu, &stage),
+            self.reinforce_rows(&mut set.lines, frames, mu, &stage),
+        ];
+        raised.contains(&true)
+    }
+
+    fn reinforce_rows<R: Rules<K>, const K: usize>(
+        &mut self,
+        block: &mut Block<R, K>,
+        frames: &[Step],
+        mu: f64,
+        stage: &Range<usize>,
+    ) -> bool {
         let mut any = false;
-        let of_steps = (2 * i).min(set.frames.len())..(2 * i + 2).min(set.frames.len());
-        for at in of_steps {
-            let rows = &mut set.steps[at * STEP_BOUNDS..(at + 1) * STEP_BOUNDS];
-            for (kind, row) in rows.iter_mut().enumerate() {
-                if let Some(added) = row.reinforce(mu, SHORT) {
-                    any = true;
-                    let step = (i, Side::BOTH[at % 2], &set.frames[at]);
-                    self.add_step_row(step, count, kind, row.gradient[0], added);
-                }
-            }
-        }
-        for pair in within(&mut set.pairs, &stage, |p| p.stage) {
-            if let Some(added) = pair.row.reinforce(mu, SHORT) {
+        for item in block.within(stage) {
+            if let Some(added) = item.row.reinforce(mu, SHORT) {
                 any = true;
-                let local = Local::of_row(&pair.row.gradient, added);
-                self.scatter_pair(base(i, count), &local);
-            }
-        }
-        for point in within(&mut set.points, &stage, |p| p.stage) {
-            if let Some(added) = point.row.reinforce(mu, SHORT) {
-                any = true;
-                let local = Local::of_row(&point.row.gradient, added);
-                if let Some(b) = base(i, count) {
-                    self.scatter_block(b + 3 * point.robot.index(), [0, 1], &local);
-                }
-            }
-        }
-        for quad in within(&mut set.quads, &stage, |q| q.step) {
-            if let Some(added) = quad.row.reinforce(mu, SHORT) {
-                any = true;
-                let local = Local::of_row(&quad.row.gradient, added);
-                self.scatter_quad(i, count, &local);
+                let local = Local::of_row(&item.gradient, added);
+                item.at.scatter(&local, frames, self);
             }
         }
         any
-    }
-
-    fn add_step_row(
-        &mut self,
-        (i, robot, step): (usize, Side, &Step),
-        count: usize,
-        kind: usize,
-        sign: f64,
-        added: Condensed,
-    ) {
-        let k = Coordinate::of_bound(kind).index();
-        let mut d = StepDerivatives::default();
-        d.gradients[0][k] = -added.force * sign;
-        d.diagonal[k] = added.sigma;
-        self.scatter_step(i, robot, count, step, &d);
     }
 }

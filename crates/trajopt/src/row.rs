@@ -34,7 +34,7 @@ pub(crate) fn larger(a: f64, b: f64) -> f64 {
 
 /// The state of a row.
 #[derive(Clone, Copy, Debug)]
-pub struct Row<const K: usize> {
+pub struct Row {
     /// Cost of a unit of violation; infinite for a hard row.
     pub weight: f64,
     /// Slack.
@@ -45,8 +45,6 @@ pub struct Row<const K: usize> {
     pub z: f64,
     /// The constraint's value at the iterate, or at the last trial point.
     pub c: f64,
-    /// Its gradient at the iterate, in the row's local coordinates.
-    pub gradient: [f64; K],
     /// Directions of the last Newton step.
     pub ds: f64,
     /// See `ds`.
@@ -66,7 +64,7 @@ pub struct Condensed {
     pub force: f64,
 }
 
-impl<const K: usize> Row<K> {
+impl Row {
     /// A row on the central path of `mu` for a constraint of value `c`.
     pub fn centered(c: f64, weight: f64, mu: f64) -> Self {
         let mut row = Self {
@@ -75,7 +73,6 @@ impl<const K: usize> Row<K> {
             e: 0.0,
             z: 0.0,
             c,
-            gradient: [0.0; K],
             ds: 0.0,
             de: 0.0,
             dz: 0.0,

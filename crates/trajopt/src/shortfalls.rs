@@ -1,10 +1,13 @@
 //! What a point falls short of: claims that are not met, and margins that gave way.
 
-use crate::active::{PointKind, SAG, Tier};
+use crate::anchor::Anchor;
+use crate::block::Block;
+use crate::iterate::Iterate;
 use crate::problem::Problem;
+use crate::rule::{Rules, Subject};
 use crate::state::State;
 use pairtrawl_geometry::Point;
-use pairtrawl_model::{ClaimId, Side};
+use pairtrawl_model::ClaimId;
 
 /// A constraint that the returned trajectories do not meet.
 #[derive(Clone, Debug, PartialEq)]
@@ -34,114 +37,112 @@ pub struct ShrunkMargin {
     pub place: Point,
 }
 
+/// A constraint of the user's that the returned trajectories do not meet.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Unmet {
+    /// The name that the user gave it.
+    pub name: String,
+    /// Waypoint.
+    pub step: usize,
+    /// By how much, in the constraint's own unit.
+    pub amount: f64,
+    /// Where.
+    pub place: Point,
+}
+
+/// Everything that a point falls short of.
+#[derive(Clone, Debug, Default)]
+pub(crate) struct Shortfalls {
+    pub violations: Vec<Violation>,
+    pub unmet: Vec<Unmet>,
+    pub margins: Vec<ShrunkMargin>,
+}
+
+/// Shortfalls below this are rounding.
+const NOISE: f64 = 1e-5;
+/// Margins that are as small as this, or shrink by as little, are not worth a word.
+const NOTABLE: f64 = 1e-3;
+/// Margins of the same claim that shrink nearer to each other than this are told once.
+const SAME_PLACE: f64 = 1.0;
+
 /// Claims that rows stand for fail when a row gives way by more than its margin.
-pub(crate) fn shortfalls(problem: &Problem, state: &State) -> (Vec<Violation>, Vec<ShrunkMargin>) {
-    const NOISE: f64 = 1e-5;
-    let mut violations = Vec::new();
-    let mut margins: Vec<ShrunkMargin> = Vec::new();
-    let mut judge =
-        |claim: ClaimId, step: usize, subject: Option<usize>, place: Point, c: f64, margin: f64| {
-            if c < -margin - NOISE {
-                violations.push(Violation {
-                    claim,
-                    step,
-                    amount: -c - margin,
-                    subject,
-                    place,
-                });
-            } else if c < -1e-3 && margin > 1e-3 {
-                let left = margin + c;
-                match margins
-                    .iter_mut()
-                    .find(|m| m.claim == claim && m.place.distance(place) < 1.0)
-                {
-                    Some(m) if m.left <= left => {}
-                    Some(m) => {
-                        *m = ShrunkMargin {
-                            claim,
-                            step,
-                            left,
-                            place,
-                        }
-                    }
-                    None => margins.push(ShrunkMargin {
-                        claim,
-                        step,
-                        left,
-                        place,
-                    }),
-                }
-            }
-        };
-    let reserve = &problem.reserve;
-    for pair in &state.set.pairs {
-        let stage = pair.stage as usize;
-        let place = state
-            .x
-            .position(stage, Side::Left)
-            .lerp(state.x.position(stage, Side::Right), 0.5);
-        let (claim, margin) = match pair.kind {
-            0 => (ClaimId::Separation, reserve.separation),
-            1 => (ClaimId::Separation, 0.0),
-            2 => (ClaimId::NetReach, reserve.net_reach),
-            _ => (ClaimId::Abreast, reserve.skew),
-        };
-        judge(claim, stage, None, place, pair.row.c, margin);
-    }
-    for point in &state.set.points {
-        let stage = point.stage as usize;
-        let (claim, subject, margin) = match point.kind {
-            PointKind::Object(id, tier) => (
-                ClaimId::RobotsMissObjects,
-                Some(id as usize),
-                slack(tier, reserve.clearance),
-            ),
-            PointKind::Piece(id, tier) => (
-                ClaimId::RobotClearance,
-                Some(id as usize),
-                slack(tier, reserve.clearance),
-            ),
-            // A side is a help; the claim is what matters.
-            PointKind::Side(..) => continue,
-            PointKind::Area(_) => (ClaimId::InsideArea, None, 0.0),
-        };
-        judge(
-            claim,
-            stage,
-            subject,
-            state.x.position(stage, point.robot),
-            point.row.c,
-            margin,
-        );
-    }
-    for quad in &state.set.quads {
-        let stage = quad.step as usize;
-        let place = state
-            .x
-            .position(stage, Side::Left)
-            .lerp(state.x.position(stage, Side::Right), 0.5);
-        let margin = slack(quad.tier, reserve.net_clearance);
-        judge(
-            ClaimId::NetEnclosesNoObstacle,
-            stage,
-            Some(quad.piece as usize),
-            place,
-            quad.row.c,
-            margin,
-        );
-    }
+pub(crate) fn shortfalls(problem: &Problem, state: &State) -> Shortfalls {
+    let (x, set) = (&state.x, &state.set);
+    let mut found = Shortfalls::default();
+    found.judge_rows(&set.steps, problem, x);
+    found.judge_rows(&set.pairs, problem, x);
+    found.judge_rows(&set.points, problem, x);
+    found.judge_rows(&set.lines, problem, x);
+    let violations = &mut found.violations;
     violations.sort_by(|a, b| b.amount.total_cmp(&a.amount));
     // Both rows of a thing, that of its margin and that of its claim, tell the same.
     violations.dedup_by(|b, a| {
         (a.claim, a.step, a.subject, a.place) == (b.claim, b.step, b.subject, b.place)
     });
-    (violations, margins)
+    found.unmet.sort_by(|a, b| b.amount.total_cmp(&a.amount));
+    found
 }
 
-/// How far a row may fall below zero before its claim fails, m.
-fn slack(tier: Tier, margin: f64) -> f64 {
-    match tier {
-        Tier::Margin => margin,
-        Tier::Claim => SAG.min(margin),
+impl Shortfalls {
+    /// True when something is not met; margins may shrink.
+    pub fn any(&self) -> bool {
+        !(self.violations.is_empty() && self.unmet.is_empty())
+    }
+
+    /// Sum of all violations.
+    pub fn total(&self) -> f64 {
+        let of_claims: f64 = self.violations.iter().map(|v| v.amount).sum();
+        of_claims + self.unmet.iter().map(|u| u.amount).sum::<f64>()
+    }
+
+    fn judge_rows<R: Rules<K>, const K: usize>(
+        &mut self,
+        block: &Block<R, K>,
+        problem: &Problem,
+        x: &Iterate,
+    ) {
+        for item in &block.items {
+            if let Some(stake) = item.rule.stake(problem) {
+                let (step, c) = (item.at.stage(), item.row.c);
+                match stake.what {
+                    Subject::Claim(claim) if c < -stake.margin - NOISE => {
+                        self.violations.push(Violation {
+                            claim,
+                            step,
+                            amount: -c - stake.margin,
+                            subject: stake.thing,
+                            place: item.at.location(x),
+                        });
+                    }
+                    Subject::Claim(claim) if c < -NOTABLE && stake.margin > NOTABLE => {
+                        self.note(ShrunkMargin {
+                            claim,
+                            step,
+                            left: stake.margin + c,
+                            place: item.at.location(x),
+                        });
+                    }
+                    Subject::Own(name) if c < -NOISE => self.unmet.push(Unmet {
+                        name: name.to_owned(),
+                        step,
+                        amount: -c,
+                        place: item.at.location(x),
+                    }),
+                    _ => {}
+                }
+            }
+        }
+    }
+
+    /// Keeps the tightest of the margins that shrank at about the same place.
+    fn note(&mut self, margin: ShrunkMargin) {
+        let near = |m: &&mut ShrunkMargin| {
+            m.claim == margin.claim && m.place.distance(margin.place) < SAME_PLACE
+        };
+        match self.margins.iter_mut().find(near) {
+            Some(m) if m.left <= margin.left => {}
+            Some(m) => *m = margin,
+            None => self.margins.push(margin),
+        }
     }
 }

@@ -2,6 +2,7 @@
 
 use crate::active::ActiveSet;
 use crate::iterate::Iterate;
+use crate::look_up::Beginning;
 use crate::merit::{Merit, Residuals};
 use crate::problem::Problem;
 use crate::settings::Settings;
@@ -25,7 +26,11 @@ pub(crate) struct State {
 impl State {
     pub fn new(problem: &Problem, x: Iterate, settings: &Settings) -> Self {
         let mu = settings.initial_mu;
-        let set = ActiveSet::new(problem, &x, settings.elastic_weight, mu);
+        let beginning = Beginning {
+            elastic: settings.elastic_weight,
+            mu,
+        };
+        let set = ActiveSet::new(problem, &x, beginning);
         let lambda = vec![0.0; 2 * (x.stages.len() - 1)];
         let mut state = Self {
             x,
@@ -36,7 +41,7 @@ impl State {
             ..Self::default()
         };
         if settings.nearly_optimal {
-            each_row_mut!(state.set, row, { row.presume_met(mu) });
+            state.set.rows_mut().for_each(|row| row.presume_met(mu));
         }
         state.measure(problem);
         state

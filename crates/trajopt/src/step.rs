@@ -23,14 +23,18 @@ pub(crate) struct Step {
     pub cos: f64,
 }
 
-/// Which coordinate a bound is on.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+/// A coordinate of a step that costs and bounds are written in.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
 pub(crate) enum Coordinate {
+    /// The way forward, m.
     Along,
+    /// The heading change, rad.
     Turn,
 }
 
 impl Coordinate {
+    pub const BOTH: [Self; 2] = [Self::Along, Self::Turn];
+
     /// Its place among along, across, turn.
     #[inline]
     pub fn index(self) -> usize {
@@ -39,93 +43,9 @@ impl Coordinate {
             Self::Turn => 2,
         }
     }
-
-    /// The one that a bound of a step is on, by the bound's place.
-    #[inline]
-    pub fn of_bound(kind: usize) -> Self {
-        const { assert!(TURN_COST == 4 && STEP_BOUNDS == 5) };
-        if kind < 2 { Self::Along } else { Self::Turn }
-    }
-}
-
-/// A bound `offset + sign * coordinate >= 0`.
-#[derive(Clone, Copy, Debug)]
-pub(crate) struct StepBound {
-    pub coordinate: Coordinate,
-    pub sign: f64,
-    pub offset: f64,
-}
-
-/// Bounds of one robot in one step.
-pub(crate) const STEP_BOUNDS: usize = 5;
-/// Index of the bound that stands for the cost of turning: with weight `2 t2` it makes
-/// `t2 |delta| = -t2 delta + 2 t2 max(0, delta)` exactly, without a smoothing width.
-pub(crate) const TURN_COST: usize = 4;
-/// Kept within the claims, so that rounding does not break them.
-const ROUNDING: f64 = 1e-7;
-
-impl Problem {
-    /// Forward and at most Delta L_max long, turning at most Delta phi_max either way (the paper's maximum velocity
-    /// constraint), and the cost of turning.
-    pub(crate) fn step_bounds(&self) -> [StepBound; STEP_BOUNDS] {
-        use Coordinate::{Along, Turn};
-        let bound = |coordinate, sign, offset| StepBound {
-            coordinate,
-            sign,
-            offset,
-        };
-        let (step, turn) = (
-            self.planner.max_step - ROUNDING,
-            self.planner.max_turn - ROUNDING,
-        );
-        [
-            bound(Along, 1.0, 0.0),
-            bound(Along, -1.0, step),
-            bound(Turn, 1.0, turn),
-            bound(Turn, -1.0, turn),
-            bound(Turn, -1.0, 0.0),
-        ]
-    }
-}
-
-impl Problem {
-    /// A robot-step of an iterate. That of a robot that is held where it is stands for nothing to be met or mended: it keeps
-    /// off every bound.
-    pub(crate) fn step(&self, x: &Iterate, i: usize, robot: Side) -> Step {
-        if self.frozen == Some(robot) {
-            return Step {
-                along: 0.5 * self.planner.max_step,
-                across: 0.0,
-                turn: 0.0,
-                sin: 0.0,
-                cos: 1.0,
-            };
-        }
-        Step::of(x, i, robot)
-    }
-}
-
-impl StepBound {
-    /// Its value at a step.
-    #[inline]
-    pub fn value(&self, step: &Step) -> f64 {
-        self.offset
-            + self.sign
-                * match self.coordinate {
-                    Coordinate::Along => step.along,
-                    Coordinate::Turn => step.turn,
-                }
-    }
 }
 
 impl Step {
-    /// A robot over the step from waypoint `i`.
-    #[inline]
-    pub fn of(x: &Iterate, i: usize, robot: Side) -> Self {
-        let k = 3 * robot.index();
-        Self::new(&x.stages[i][k..k + 3], &x.stages[i + 1][k..k + 3])
-    }
-
     /// From the poses (x, y, heading) at both ends.
     #[inline]
     pub fn new(from: &[f64], to: &[f64]) -> Self {
@@ -137,6 +57,38 @@ impl Step {
             turn: to[2] - from[2],
             sin,
             cos,
+        }
+    }
+
+    /// A robot over the step from waypoint `i`.
+    #[inline]
+    pub fn of(x: &Iterate, i: usize, robot: Side) -> Self {
+        let k = 3 * robot.index();
+        Self::new(&x.stages[i][k..k + 3], &x.stages[i + 1][k..k + 3])
+    }
+
+    /// The same as the solver sees it: that of a robot that is held where it is stands for nothing to be met or mended, and
+    /// keeps off every bound.
+    #[inline]
+    pub fn seen(problem: &Problem, x: &Iterate, i: usize, robot: Side) -> Self {
+        if problem.frozen == Some(robot) {
+            return Self {
+                along: 0.5 * problem.planner.max_step,
+                across: 0.0,
+                turn: 0.0,
+                sin: 0.0,
+                cos: 1.0,
+            };
+        }
+        Self::of(x, i, robot)
+    }
+
+    /// One of its coordinates.
+    #[inline]
+    pub fn coordinate(&self, coordinate: Coordinate) -> f64 {
+        match coordinate {
+            Coordinate::Along => self.along,
+            Coordinate::Turn => self.turn,
         }
     }
 

@@ -14,9 +14,14 @@ pub struct Jet<const K: usize> {
 impl<const K: usize> Jet<K> {
     /// A constant.
     pub fn constant(value: f64) -> Self {
+        Self::linear(value, [0.0; K])
+    }
+
+    /// A function without curvature.
+    pub fn linear(value: f64, gradient: [f64; K]) -> Self {
         Self {
             value,
-            gradient: [0.0; K],
+            gradient,
             hessian: [[0.0; K]; K],
         }
     }
@@ -34,10 +39,45 @@ impl<const K: usize> Jet<K> {
 pub trait Term<const K: usize> {
     /// The value alone.
     fn value(&self, z: &[f64; K]) -> f64;
-    /// The value with first derivatives, which is all that a constraint needs in every iteration.
-    fn slope(&self, z: &[f64; K]) -> (f64, [f64; K]);
+
     /// The value with first and second derivatives.
     fn jet(&self, z: &[f64; K]) -> Jet<K>;
+
+    /// The value with first derivatives, which is all that a constraint needs in every iteration.
+    #[inline]
+    fn slope(&self, z: &[f64; K]) -> (f64, [f64; K]) {
+        let jet = self.jet(z);
+        (jet.value, jet.gradient)
+    }
+
+    /// The jet of a cost as the solver's matrix gets it. A cost with negative curvature does well to leave that out here:
+    /// otherwise the solver has to make up for it in all variables.
+    #[inline]
+    fn convex_jet(&self, z: &[f64; K]) -> Jet<K> {
+        self.jet(z)
+    }
+}
+
+impl<const K: usize, T: Term<K> + ?Sized> Term<K> for &T {
+    #[inline]
+    fn value(&self, z: &[f64; K]) -> f64 {
+        (**self).value(z)
+    }
+
+    #[inline]
+    fn jet(&self, z: &[f64; K]) -> Jet<K> {
+        (**self).jet(z)
+    }
+
+    #[inline]
+    fn slope(&self, z: &[f64; K]) -> (f64, [f64; K]) {
+        (**self).slope(z)
+    }
+
+    #[inline]
+    fn convex_jet(&self, z: &[f64; K]) -> Jet<K> {
+        (**self).convex_jet(z)
+    }
 }
 
 /// Local coordinates of the pair at one waypoint: `rx, ry` (from right to left robot, m), `phi_l, phi_r` (rad), `d_max` (m).
@@ -46,3 +86,7 @@ pub const PAIR: usize = 5;
 pub const POINT: usize = 2;
 /// Local coordinates of the line between the robots at both ends of a step: `lx, ly, rx, ry`, then those of the next waypoint, m.
 pub const QUAD: usize = 8;
+/// Local coordinate of one robot over one step: the way along its mid-step heading, m, or the turn, rad.
+pub const STEP: usize = 1;
+/// Local coordinates of a bend: one variable at three successive waypoints, m or rad.
+pub const BEND: usize = 3;

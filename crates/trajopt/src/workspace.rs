@@ -1,7 +1,7 @@
-use crate::assembly::System;
 use crate::filter::Filter;
 use crate::iterate::Iterate;
 use crate::newton::Newton;
+use crate::system::System;
 use std::ops::Range;
 
 /// State of the solver, reused from solve to solve so that the loop does not allocate.

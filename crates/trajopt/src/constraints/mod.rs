@@ -1,15 +1,57 @@
-//! Constraints `c >= 0` at a waypoint, in local coordinates, one a file. Those of a step are in `step.rs`.
+//! Constraints `c >= 0` in local coordinates, one file each, and the lists in which the solver finds them.
 
-mod abreast;
-mod half_plane;
-mod net_reach;
-mod point_distance;
-mod quad_distance;
-mod separation;
+pub(crate) mod abreast;
+pub(crate) mod half_plane;
+pub(crate) mod net_reach;
+pub(crate) mod own;
+pub(crate) mod point_distance;
+pub(crate) mod quad_distance;
+pub(crate) mod separation;
+pub(crate) mod step_bounds;
 
-pub use abreast::Abreast;
-pub use half_plane::HalfPlane;
-pub use net_reach::NetReach;
-pub use point_distance::{CenterDistance, PointDistance};
-pub use quad_distance::QuadDistance;
-pub use separation::{SeparationAbove, SeparationBelow};
+use crate::anchor::{LineAt, PairAt, PointAt, StepAt};
+use crate::costs::turning::TurnCost;
+use crate::term::{PAIR, POINT, QUAD, STEP};
+use abreast::KeepAbreast;
+use half_plane::{BesideObject, InsideArea};
+use net_reach::HitchesWithinReach;
+use own::{OwnPair, OwnPoint};
+use point_distance::{OffObject, OffObstacle};
+use quad_distance::LineOffObstacle;
+use separation::{CloseEnough, FarEnoughApart};
+use step_bounds::{Forward, StepLength, TurnLimit};
+
+rules! {
+    /// Of one robot over one step.
+    StepRules at StepAt, STEP;
+    Forward,
+    StepLength,
+    TurnLimit,
+    TurnCost,
+}
+
+rules! {
+    /// Of the pair at one waypoint.
+    PairRules at PairAt, PAIR;
+    FarEnoughApart,
+    CloseEnough,
+    HitchesWithinReach,
+    KeepAbreast,
+    OwnPair,
+}
+
+rules! {
+    /// Of one robot's axle center at one waypoint.
+    PointRules at PointAt, POINT;
+    OffObject,
+    OffObstacle,
+    BesideObject,
+    InsideArea,
+    OwnPoint,
+}
+
+rules! {
+    /// Of the line between the robots over one step.
+    LineRules at LineAt, QUAD;
+    LineOffObstacle,
+}

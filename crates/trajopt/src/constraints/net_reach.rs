@@ -1,5 +1,10 @@
+use crate::anchor::PairAt;
+use crate::problem::{Problem, SeparationRule};
+use crate::rule::{Rule, Stake};
+use crate::sight::Sight;
 use crate::term::{Jet, PAIR, Term};
 use pairtrawl_geometry::Point;
+use pairtrawl_model::ClaimId;
 
 /// The net reaches from hitch to hitch: `d_max - reserve - |r - hitch (u(phi_l) - u(phi_r))| >= 0`,
 /// `r` from the right to the left robot, `u` the unit vector of a heading.
@@ -77,5 +82,31 @@ impl Term<PAIR> for NetReach {
         jet.hessian[2][2] -= h * (cl * ux + sl * uy);
         jet.hessian[3][3] += h * (cr * ux + sr * uy);
         jet
+    }
+}
+
+/// A row at every waypoint; those of the ends bound a net length that is free.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct HitchesWithinReach;
+
+impl Rule<PairAt, PAIR> for HitchesWithinReach {
+    fn look_up(sight: &mut Sight, at: PairAt, add: &mut impl FnMut(Self)) {
+        let problem = sight.problem;
+        let bounded = problem.separation != SeparationRule::Free;
+        if bounded && (sight.is_inner(at.0 as usize) || problem.net_length.is_none()) {
+            add(Self);
+        }
+    }
+
+    #[inline]
+    fn term(self, problem: &Problem, _: PairAt) -> impl Term<PAIR> {
+        NetReach {
+            hitch: problem.robot.hitch,
+            reserve: problem.reserve.net_reach,
+        }
+    }
+
+    fn stake(self, problem: &Problem) -> Option<Stake<'_>> {
+        Stake::claim(ClaimId::NetReach, problem.reserve.net_reach)
     }
 }

@@ -1,6 +1,12 @@
+use crate::anchor::{Anchor, PointAt};
 use crate::pieces::Piece;
+use crate::problem::Problem;
+use crate::rule::{Rule, Stake};
+use crate::sight::{LOOK_AHEAD, Sight, tiers};
 use crate::term::{Jet, POINT, Term};
+use crate::tier::Tier;
 use pairtrawl_geometry::Point;
+use pairtrawl_model::ClaimId;
 
 /// A robot's axle center keeps `keep` from a convex region: signed distance minus `keep`.
 pub struct PointDistance<'a> {
@@ -129,5 +135,102 @@ impl Term<POINT> for PointDistance<'_> {
                 jet
             }
         }
+    }
+}
+
+/// A robot near an object, from which it keeps.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct OffObject {
+    pub object: u32,
+    pub tier: Tier,
+}
+
+impl Rule<PointAt, POINT> for OffObject {
+    fn look_up(sight: &mut Sight, at: PointAt, add: &mut impl FnMut(Self)) {
+        let problem = sight.problem;
+        let margin = problem.reserve.clearance;
+        let p = sight.x.position(at.stage(), at.robot());
+        for &object in problem.object_index.near(p) {
+            let (center, keep) = problem.objects[object as usize];
+            let c = p.distance(center) - keep - margin;
+            if c < LOOK_AHEAD {
+                for tier in tiers(problem, c, margin) {
+                    add(Self { object, tier });
+                }
+            }
+        }
+    }
+
+    #[inline]
+    fn term(self, problem: &Problem, _: PointAt) -> impl Term<POINT> {
+        let (center, keep) = problem.objects[self.object as usize];
+        CenterDistance {
+            center,
+            keep: keep + self.tier.reserve(problem, problem.reserve.clearance),
+        }
+    }
+
+    fn key(self) -> u32 {
+        self.tier.key(self.object)
+    }
+
+    fn price(self, _: &Problem, elastic: f64) -> f64 {
+        elastic * self.tier.price()
+    }
+
+    fn stake(self, problem: &Problem) -> Option<Stake<'_>> {
+        let margin = self.tier.reserve(problem, problem.reserve.clearance);
+        Stake::claim_about(ClaimId::RobotsMissObjects, self.object, margin)
+    }
+}
+
+/// A robot near an obstacle, from which it keeps.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct OffObstacle {
+    pub piece: u32,
+    pub tier: Tier,
+}
+
+impl OffObstacle {
+    #[inline]
+    fn distance(self, problem: &Problem) -> PointDistance<'_> {
+        PointDistance {
+            region: problem.pieces.get(self.piece),
+            keep: problem.robot.radius + self.tier.reserve(problem, problem.reserve.clearance),
+        }
+    }
+}
+
+impl Rule<PointAt, POINT> for OffObstacle {
+    fn look_up(sight: &mut Sight, at: PointAt, add: &mut impl FnMut(Self)) {
+        let problem = sight.problem;
+        let margin = problem.reserve.clearance;
+        let p = sight.x.position(at.stage(), at.robot());
+        let reach = problem.robot.radius + margin + LOOK_AHEAD;
+        let value = |piece: u32| {
+            let tier = Tier::Margin;
+            Self { piece, tier }.distance(problem).value(&p.into())
+        };
+        sight.pieces_near((p, p), reach, margin, value, |piece, tier| {
+            add(Self { piece, tier });
+        });
+    }
+
+    #[inline]
+    fn term(self, problem: &Problem, _: PointAt) -> impl Term<POINT> {
+        self.distance(problem)
+    }
+
+    fn key(self) -> u32 {
+        self.tier.key(self.piece)
+    }
+
+    fn price(self, _: &Problem, elastic: f64) -> f64 {
+        elastic * self.tier.price()
+    }
+
+    fn stake(self, problem: &Problem) -> Option<Stake<'_>> {
+        let margin = self.tier.reserve(problem, problem.reserve.clearance);
+        Stake::claim_about(ClaimId::RobotClearance, self.piece, margin)
     }
 }

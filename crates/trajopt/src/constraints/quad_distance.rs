@@ -1,7 +1,13 @@
-use super::PointDistance;
+use crate::anchor::LineAt;
+use crate::constraints::point_distance::PointDistance;
 use crate::pieces::Piece;
+use crate::problem::Problem;
+use crate::rule::{Rule, Stake};
+use crate::sight::{LOOK_AHEAD, Sight};
 use crate::term::{Jet, QUAD, Term};
+use crate::tier::Tier;
 use pairtrawl_geometry::Point;
+use pairtrawl_model::{ClaimId, Side};
 
 /// What the line between the robots sweeps in a step, the convex hull of its four ends, keeps `keep` from a convex region:
 /// signed distance (along the best separating axis when they overlap) minus `keep`.
@@ -207,5 +213,60 @@ fn bend(jet: &mut Jet<QUAD>, q: &[Point; 4], (a, b): (usize, usize), v: Point, s
             let (pi, pj) = (weights[i] * along_of[i], weights[j] * along_of[j]);
             jet.hessian[at[i]][at[j]] = ti * pj + tj * pi - height * ti * tj;
         }
+    }
+}
+
+/// The line over a step near an obstacle, from which it keeps. Robots keep farther away themselves, so that only what is
+/// nearer to the inside of the line comes so close.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct LineOffObstacle {
+    pub piece: u32,
+    pub tier: Tier,
+}
+
+impl LineOffObstacle {
+    #[inline]
+    fn distance(self, problem: &Problem) -> QuadDistance<'_> {
+        QuadDistance {
+            region: problem.pieces.get(self.piece),
+            keep: self.tier.reserve(problem, problem.reserve.net_clearance),
+        }
+    }
+}
+
+impl Rule<LineAt, QUAD> for LineOffObstacle {
+    fn look_up(sight: &mut Sight, at: LineAt, add: &mut impl FnMut(Self)) {
+        let (problem, x, i) = (sight.problem, sight.x, at.0 as usize);
+        let quad = x.quad(i);
+        let ends = |i: usize| (x.position(i, Side::Left), x.position(i, Side::Right));
+        let ((l, r), (to_l, to_r)) = (ends(i), ends(i + 1));
+        let margin = problem.reserve.net_clearance;
+        let farthest = l.distance(to_l).max(r.distance(to_r));
+        let value = |piece: u32| {
+            let tier = Tier::Margin;
+            Self { piece, tier }.distance(problem).value(&quad)
+        };
+        let reach = margin + LOOK_AHEAD + farthest;
+        sight.pieces_near((l, r), reach, margin, value, |piece, tier| {
+            add(Self { piece, tier });
+        });
+    }
+
+    #[inline]
+    fn term(self, problem: &Problem, _: LineAt) -> impl Term<QUAD> {
+        self.distance(problem)
+    }
+
+    fn key(self) -> u32 {
+        self.tier.key(self.piece)
+    }
+
+    fn price(self, _: &Problem, elastic: f64) -> f64 {
+        elastic * self.tier.price()
+    }
+
+    fn stake(self, problem: &Problem) -> Option<Stake<'_>> {
+        let margin = self.tier.reserve(problem, problem.reserve.net_clearance);
+        Stake::claim_about(ClaimId::NetEnclosesNoObstacle, self.piece, margin)
     }
 }

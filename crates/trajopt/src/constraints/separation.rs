@@ -1,5 +1,10 @@
+use crate::anchor::PairAt;
+use crate::problem::{Problem, SeparationRule};
+use crate::rule::{Rule, Stake};
+use crate::sight::Sight;
 use crate::term::{Jet, PAIR, Term};
 use pairtrawl_geometry::Point;
+use pairtrawl_model::ClaimId;
 
 /// `d >= lower + ratio d_max`: robots keep clear of each other.
 pub struct SeparationAbove {
@@ -97,5 +102,87 @@ impl Term<PAIR> for SeparationBelow {
 
     fn jet(&self, z: &[f64; PAIR]) -> Jet<PAIR> {
         self.linear().jet(z)
+    }
+}
+
+/// A rigid separation holds to this.
+const RIGID_TOLERANCE: f64 = 5e-3;
+/// Kept below the net length, so that rounding does not break the claim.
+const ROUNDING: f64 = 1e-6;
+
+/// The ratio at which the separation is held at a waypoint, if it is.
+#[inline]
+fn held_at(problem: &Problem, at: PairAt) -> Option<f64> {
+    match problem.separation {
+        SeparationRule::Rigid { from, to } if (from..=to).contains(&(at.0 as usize)) => {
+            Some(problem.planner.rest_ratio)
+        }
+        _ => None,
+    }
+}
+
+/// At every waypoint: far enough apart.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct FarEnoughApart;
+
+impl Rule<PairAt, PAIR> for FarEnoughApart {
+    fn look_up(sight: &mut Sight, at: PairAt, add: &mut impl FnMut(Self)) {
+        if sight.is_inner(at.0 as usize) {
+            add(Self);
+        }
+    }
+
+    #[inline]
+    fn term(self, problem: &Problem, at: PairAt) -> impl Term<PAIR> {
+        if let Some(ratio) = held_at(problem, at) {
+            return SeparationAbove {
+                lower: -RIGID_TOLERANCE,
+                ratio,
+            };
+        }
+        // With the net length free, 0.1 d_max stays below two radii up to 20 radii.
+        let share = problem
+            .net_length
+            .map_or(0.0, |length| problem.planner.min_ratio * length);
+        SeparationAbove {
+            lower: share.max(2.0 * problem.robot.radius) + problem.reserve.separation,
+            ratio: 0.0,
+        }
+    }
+
+    fn stake(self, problem: &Problem) -> Option<Stake<'_>> {
+        Stake::claim(ClaimId::Separation, problem.reserve.separation)
+    }
+}
+
+/// At every waypoint: close enough for the net; the rows of the ends bound a net length that is free.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct CloseEnough;
+
+impl Rule<PairAt, PAIR> for CloseEnough {
+    fn look_up(sight: &mut Sight, at: PairAt, add: &mut impl FnMut(Self)) {
+        let problem = sight.problem;
+        let bounded = problem.separation != SeparationRule::Free;
+        if bounded && (sight.is_inner(at.0 as usize) || problem.net_length.is_none()) {
+            add(Self);
+        }
+    }
+
+    #[inline]
+    fn term(self, problem: &Problem, at: PairAt) -> impl Term<PAIR> {
+        match held_at(problem, at) {
+            Some(ratio) => SeparationBelow {
+                reserve: -RIGID_TOLERANCE,
+                ratio,
+            },
+            None => SeparationBelow {
+                reserve: ROUNDING,
+                ratio: 1.0,
+            },
+        }
+    }
+
+    fn stake(self, _: &Problem) -> Option<Stake<'_>> {
+        Stake::claim(ClaimId::Separation, 0.0)
     }
 }

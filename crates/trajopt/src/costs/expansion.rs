@@ -1,8 +1,10 @@
+use crate::problem::{Problem, SeparationRule};
 use crate::term::{Jet, PAIR, Term};
 use pairtrawl_geometry::Point;
+use pairtrawl_model::PlannerParameters;
 use std::f64::consts::FRAC_PI_2;
 
-/// Expansion cost J_e of the net at one waypoint: a U over the separation `d`, written in `eta = d / d_max`,
+/// Expansion cost J_e of the net at one waypoint (the paper's eq. 8): a U over the separation `d`, written in `eta = d / d_max`,
 /// with `rho = d_rest / d_max` and `sigma = d_min / d_max`:
 ///
 /// - below rest: `kd1 tan^2(pi/2 (rho - eta)/(rho - sigma))`;
@@ -24,10 +26,8 @@ pub struct Expansion {
     pub min_ratio: f64,
 }
 
-/// Beyond this share of the inner branch the tangent goes on as a polynomial.
-const INNER_LIMIT: f64 = 0.97;
-/// Beyond this share of the outer branch the barrier goes on as a polynomial.
-const OUTER_LIMIT: f64 = 0.97;
+/// Beyond these shares of the inner and the outer branch they go on as polynomials.
+const LIMITS: [f64; 2] = [0.97; 2];
 
 /// Value and two derivatives of a function of one variable.
 type Scalar = [f64; 3];
@@ -62,15 +62,47 @@ fn barrier(q: f64) -> Scalar {
 }
 
 impl Expansion {
-    /// J_e as a function of `eta` (both branches but for the kd2 term) with two derivatives in `eta`.
-    fn of_ratio(&self, eta: f64) -> Scalar {
+    /// As the paper has it.
+    pub fn literal(p: &PlannerParameters) -> Self {
+        Self {
+            weight: p.a4,
+            kd1: p.kd1,
+            kd2: p.kd2,
+            rest_ratio: p.rest_ratio,
+            min_ratio: p.min_ratio,
+        }
+    }
+
+    /// What is minimized in a problem.
+    pub fn of(problem: &Problem) -> Self {
+        let mut cost = Self::literal(&problem.planner);
+        if problem.separation == SeparationRule::Free {
+            cost.weight = 0.0;
+        }
+        cost
+    }
+
+    /// J_e for reports: to its poles, and `weight outside` beyond them.
+    pub fn to_the_poles(&self, d: f64, d_max: f64, outside: f64) -> f64 {
+        if d < self.min_ratio * d_max || d > d_max {
+            return self.weight * outside;
+        }
+        let [value, ..] = self.of_ratio(d / d_max, [1.0; 2]);
+        let stretch = self.stretch(d, d_max);
+        self.weight * (value + self.kd2 * stretch * stretch)
+    }
+
+    /// How far the separation is above rest.
+    fn stretch(&self, d: f64, d_max: f64) -> f64 {
+        (d - self.rest_ratio * d_max).max(0.0)
+    }
+
+    /// J_e as a function of `eta` (both branches but for the kd2 term) with two derivatives in `eta`; `limits` are the
+    /// shares of the inner and the outer branch beyond which it goes on as a polynomial.
+    fn of_ratio(&self, eta: f64, [inner, outer]: [f64; 2]) -> Scalar {
         if eta < self.rest_ratio {
             let width = self.rest_ratio - self.min_ratio;
-            let [f0, f1, f2] = extended(
-                tangent_squared,
-                (self.rest_ratio - eta) / width,
-                INNER_LIMIT,
-            );
+            let [f0, f1, f2] = extended(tangent_squared, (self.rest_ratio - eta) / width, inner);
             [
                 self.kd1 * f0,
                 -self.kd1 * f1 / width,
@@ -78,23 +110,16 @@ impl Expansion {
             ]
         } else {
             let width = 1.0 - self.rest_ratio;
-            let [f0, f1, f2] = extended(barrier, (eta - self.rest_ratio) / width, OUTER_LIMIT);
+            let [f0, f1, f2] = extended(barrier, (eta - self.rest_ratio) / width, outer);
             [f0, f1 / width, f2 / (width * width)]
         }
-    }
-}
-
-impl Expansion {
-    /// As [`Term::jet`], its Hessian without what is negative: a positive semidefinite stand-in.
-    pub fn convex_jet(&self, z: &[f64; PAIR]) -> Jet<PAIR> {
-        self.jet_with(z, true)
     }
 
     fn jet_with(&self, &[rx, ry, _, _, d_max]: &[f64; PAIR], convex: bool) -> Jet<PAIR> {
         let d = Point::new(rx, ry).norm();
         let eta = d / d_max;
-        let [f0, f1, f2] = self.of_ratio(eta);
-        let stretch = (d - self.rest_ratio * d_max).max(0.0);
+        let [f0, f1, f2] = self.of_ratio(eta, LIMITS);
+        let stretch = self.stretch(d, d_max);
         let k = if stretch > 0.0 { self.kd2 } else { 0.0 };
         let rho = self.rest_ratio;
         // Derivatives in (d, d_max) ...
@@ -127,17 +152,18 @@ impl Term<PAIR> for Expansion {
     #[inline]
     fn value(&self, &[rx, ry, _, _, d_max]: &[f64; PAIR]) -> f64 {
         let d = Point::new(rx, ry).norm();
-        let stretch = (d - self.rest_ratio * d_max).max(0.0);
-        self.weight * (self.of_ratio(d / d_max)[0] + self.kd2 * stretch * stretch)
-    }
-
-    fn slope(&self, z: &[f64; PAIR]) -> (f64, [f64; PAIR]) {
-        let jet = self.jet(z);
-        (jet.value, jet.gradient)
+        let stretch = self.stretch(d, d_max);
+        self.weight * (self.of_ratio(d / d_max, LIMITS)[0] + self.kd2 * stretch * stretch)
     }
 
     #[inline]
     fn jet(&self, z: &[f64; PAIR]) -> Jet<PAIR> {
         self.jet_with(z, false)
+    }
+
+    /// Its Hessian without what is negative: a positive semidefinite stand-in.
+    #[inline]
+    fn convex_jet(&self, z: &[f64; PAIR]) -> Jet<PAIR> {
+        self.jet_with(z, true)
     }
 }

@@ -1,11 +1,11 @@
 //! Generated scenes, their problems, and states near their witnesses.
 
 use super::between;
-use crate::active::{SAG, Tier};
 use crate::iterate::Iterate;
 use crate::problem::Problem;
 use crate::settings::Settings;
 use crate::state::State;
+use crate::tier::Tier;
 use pairtrawl_generate::{Generated, Kind, generate};
 use pairtrawl_geometry::{Bounds, Convex, Point};
 use pairtrawl_model::Obstacle;
@@ -84,7 +84,13 @@ impl Case {
     pub fn kept(&self, tier: Tier, margin: f64) -> f64 {
         match tier {
             Tier::Margin => margin,
-            Tier::Claim => SAG.min(margin),
+            Tier::Claim => {
+                let (step, radius) = (
+                    self.made.scene.planner.max_step,
+                    self.made.scene.robot.radius,
+                );
+                (step * step / (8.0 * radius)).min(margin)
+            }
         }
     }
 
@@ -104,9 +110,9 @@ pub fn shaken(case: &Case, seed: u64) -> State {
         }
     }
     let mut state = State::new(&case.problem, x, &Settings::default());
-    each_row_mut!(state.set, row, {
+    for row in state.set.rows_mut() {
         row.z = row.weight.min(100.0) * between(&mut random, 0.01, 0.99);
-    });
+    }
     for lambda in &mut state.lambda {
         *lambda = between(&mut random, -100.0, 100.0);
     }

@@ -1,7 +1,8 @@
 //! Distances to convex regions against brute force: along every direction there is, and from point to point.
 
 use super::{between, regions};
-use crate::constraints::{PointDistance, QuadDistance};
+use crate::constraints::point_distance::PointDistance;
+use crate::constraints::quad_distance::QuadDistance;
 use crate::pieces::Piece;
 use crate::term::{QUAD, Term};
 use fastrand::Rng;

@@ -1,21 +1,27 @@
 //! The Lagrangian written a second time, from the formulas alone, and the assembled gradients against its differences.
 
 use super::case::{Case, shaken};
-use crate::active::{PointKind, Tier};
-use crate::assembly::System;
-use crate::constraints::QuadDistance;
+use crate::anchor::Anchor;
+use crate::constraints::half_plane::Border;
+use crate::constraints::point_distance::{OffObject, OffObstacle};
+use crate::constraints::quad_distance::QuadDistance;
+use crate::constraints::{LineRules, PairRules, PointRules};
 use crate::iterate::{Iterate, STAGE};
 use crate::pieces::Piece;
+use crate::row::Row;
+use crate::rule::Rules;
 use crate::state::State;
 use crate::step::Step;
+use crate::system::System;
 use crate::term::Term;
+use crate::tier::Tier;
 use pairtrawl_geometry::{Convex, Hull, Point, Polygon, Pose};
 use pairtrawl_model::Side;
 
 /// What a multiplier at a waypoint belongs to.
 enum Subject {
-    Pair(u8),
-    Point(Side, PointKind),
+    Pair(PairRules),
+    Point(Side, PointRules),
 }
 
 /// Objective minus multipliers times constraints plus multipliers times slips.
@@ -38,18 +44,19 @@ impl<'a> Lagrangian<'a> {
         let mut at_steps = vec![([0.0; 5], 0.0); state.lambda.len()];
         let mut swept = vec![Vec::new(); state.x.stages.len() - 1];
         if multipliers {
-            for r in &set.pairs {
-                at_stages[r.stage as usize].push((Subject::Pair(r.kind), r.row.z));
+            for r in &set.pairs.items {
+                at_stages[r.at.stage()].push((Subject::Pair(r.rule), r.row.z));
             }
-            for r in &set.points {
-                let subject = Subject::Point(r.robot, r.kind);
-                at_stages[r.stage as usize].push((subject, r.row.z));
+            for r in &set.points.items {
+                let subject = Subject::Point(r.at.robot(), r.rule);
+                at_stages[r.at.stage()].push((subject, r.row.z));
             }
-            for r in &set.quads {
-                swept[r.step as usize].push((r.piece, r.tier, r.row.z));
+            for r in &set.lines.items {
+                let LineRules::LineOffObstacle(rule) = r.rule;
+                swept[r.at.stage()].push((rule.piece, rule.tier, r.row.z));
             }
             for (k, (bounds, slip)) in at_steps.iter_mut().enumerate() {
-                *bounds = std::array::from_fn(|b| set.steps[5 * k + b].z);
+                *bounds = std::array::from_fn(|b| set.steps.items[5 * k + b].row.z);
                 *slip = state.lambda[k];
             }
         }
@@ -73,42 +80,49 @@ impl<'a> Lagrangian<'a> {
             (heading - normal).cos() - (scene.planner.max_skew - reserve.skew).cos()
         };
         match *subject {
-            Subject::Pair(0) => {
+            Subject::Pair(PairRules::FarEnoughApart(_)) => {
                 let share = problem.net_length.map_or(0.0, |length| 0.1 * length);
                 apart - share.max(2.0 * scene.robot.radius) - reserve.separation
             }
-            Subject::Pair(1) => x.net_length - 1e-6 - apart,
-            Subject::Pair(2) => {
+            Subject::Pair(PairRules::CloseEnough(_)) => x.net_length - 1e-6 - apart,
+            Subject::Pair(PairRules::HitchesWithinReach(_)) => {
                 let (a, b) = (
                     l.hitch_point(scene.robot.hitch),
                     r.hitch_point(scene.robot.hitch),
                 );
                 x.net_length - reserve.net_reach - a.distance(b)
             }
-            Subject::Pair(3) => abreast(l.heading),
-            Subject::Pair(_) => abreast(r.heading),
+            Subject::Pair(PairRules::KeepAbreast(rule)) => {
+                abreast([l, r][rule.0.robot.index()].heading)
+            }
+            Subject::Pair(PairRules::OwnPair(_)) => unreachable!("no terms of our own"),
             Subject::Point(robot, ref kind) => {
                 let p = [l, r][robot.index()].position();
                 match *kind {
-                    PointKind::Object(id, tier) => {
+                    PointRules::OffObject(OffObject { object: id, tier }) => {
                         let object = scene.objects[id as usize];
                         p.distance(object.position)
                             - object.footprint_radius()
                             - scene.robot.radius
                             - self.case.kept(tier, reserve.clearance)
                     }
-                    PointKind::Piece(id, tier) => {
+                    PointRules::OffObstacle(OffObstacle { piece: id, tier }) => {
                         let gap = match &self.case.pieces[id as usize] {
                             Convex::Polygon(v) => Polygon::new(v.clone()).signed_distance(p),
                             Convex::Circle { center, radius } => p.distance(*center) - radius,
                         };
                         gap - scene.robot.radius - self.case.kept(tier, reserve.clearance)
                     }
-                    PointKind::Side(_, plane) => Point::from(plane.normal).dot(p) - plane.offset,
-                    PointKind::Area(0) => p.x - scene.area.min.x - 1e-6,
-                    PointKind::Area(1) => scene.area.max.x - p.x - 1e-6,
-                    PointKind::Area(2) => p.y - scene.area.min.y - 1e-6,
-                    PointKind::Area(_) => scene.area.max.y - p.y - 1e-6,
+                    PointRules::BesideObject(rule) => {
+                        Point::from(rule.plane.normal).dot(p) - rule.plane.offset
+                    }
+                    PointRules::InsideArea(rule) => match rule.0 {
+                        Border::LowX => p.x - scene.area.min.x - 1e-6,
+                        Border::HighX => scene.area.max.x - p.x - 1e-6,
+                        Border::LowY => p.y - scene.area.min.y - 1e-6,
+                        Border::HighY => scene.area.max.y - p.y - 1e-6,
+                    },
+                    PointRules::OwnPoint(_) => unreachable!("no terms of our own"),
                 }
             }
         }
@@ -179,8 +193,8 @@ impl<'a> Lagrangian<'a> {
             let bounds = [
                 along,
                 p.max_step - 1e-7 - along,
-                p.max_turn - 1e-7 + turn,
                 p.max_turn - 1e-7 - turn,
+                p.max_turn - 1e-7 + turn,
                 -turn,
             ];
             let (z, lambda) = &self.at_steps[2 * i + robot];
@@ -239,24 +253,23 @@ impl<'a> Lagrangian<'a> {
         let x = &state.x;
         let set = &state.set;
         let mut rows = Vec::new();
-        let bounds = case.problem.step_bounds();
-        for (k, row) in set.steps.iter().enumerate() {
-            let step = Step::of(x, k / 10, Side::BOTH[(k / 5) % 2]);
-            let c = bounds[k % 5].value(&step);
-            rows.push([c, row.s, row.e, row.z, row.weight]);
+        let mut add = |c: f64, row: &Row| rows.push([c, row.s, row.e, row.z, row.weight]);
+        for r in &set.steps.items {
+            let step = Step::of(x, r.at.stage(), r.at.robot());
+            let z = [step.coordinate(r.at.coordinate())];
+            add(r.rule.value(&case.problem, r.at, &z), &r.row);
         }
-        for r in &set.pairs {
-            let c = of.constraint(&Subject::Pair(r.kind), x, r.stage as usize);
-            rows.push([c, r.row.s, r.row.e, r.row.z, r.row.weight]);
+        for r in &set.pairs.items {
+            let c = of.constraint(&Subject::Pair(r.rule), x, r.at.stage());
+            add(c, &r.row);
         }
-        for r in &set.points {
-            let subject = Subject::Point(r.robot, r.kind);
-            let c = of.constraint(&subject, x, r.stage as usize);
-            rows.push([c, r.row.s, r.row.e, r.row.z, r.row.weight]);
+        for r in &set.points.items {
+            let subject = Subject::Point(r.at.robot(), r.rule);
+            add(of.constraint(&subject, x, r.at.stage()), &r.row);
         }
-        for r in &set.quads {
-            let c = of.clear_of(x, r.step as usize, r.piece, r.tier);
-            rows.push([c, r.row.s, r.row.e, r.row.z, r.row.weight]);
+        for r in &set.lines.items {
+            let LineRules::LineOffObstacle(rule) = r.rule;
+            add(of.clear_of(x, r.at.stage(), rule.piece, rule.tier), &r.row);
         }
         rows
     }

@@ -17,15 +17,15 @@ fn slacks_stay_positive_however_short_the_longest_step_is() {
         work.direction(&case.problem, &mut state, 0.1)
             .expect("a direction");
         // A violated hard row, which takes no slack from its constraint, and which a full step would run into at once.
-        let hard = |row: &&mut Row<1>| row.weight.is_infinite() && row.c < -1e-3;
-        let row = state.set.steps.iter_mut().find(hard).expect("one");
+        let hard = |row: &&mut Row| row.weight.is_infinite() && row.c < -1e-3;
+        let row = state.set.steps.rows_mut().find(hard).expect("one");
         row.ds = -row.s / share;
         let mut longest = 1.0;
         row.limit_step(&mut longest);
         work.line_search(&case.problem, &mut state, longest);
-        each_row!(state.set, row, {
+        for row in state.set.rows_mut() {
             assert!(row.s > 0.0 && row.z > 0.0, "{share}: {row:?}");
-        });
+        }
         assert!(state.merit.phi(mu).is_finite(), "{share}");
     }
 }

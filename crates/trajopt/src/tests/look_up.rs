@@ -1,11 +1,22 @@
 //! What is looked up near a waypoint or step, against going through everything.
 
 use super::case::Case;
-use crate::active::{ActiveSet, PointKind, Tier};
+use crate::active::ActiveSet;
+use crate::anchor::Anchor;
+use crate::block::Item;
+use crate::constraints::{LineRules, PointRules};
 use crate::iterate::Iterate;
+use crate::look_up::Beginning;
+use crate::term::QUAD;
+use crate::tier::Tier;
 use pairtrawl_geometry::{Convex, Hull, Point, Polygon};
 use pairtrawl_model::Side;
 use std::collections::BTreeSet;
+
+const BEGINNING: Beginning = Beginning {
+    elastic: 3e3,
+    mu: 1.0,
+};
 
 fn cases() -> Vec<(Case, Iterate)> {
     [
@@ -22,7 +33,7 @@ fn cases() -> Vec<(Case, Iterate)> {
 }
 
 fn set_of(case: &Case, x: &Iterate) -> ActiveSet {
-    ActiveSet::new(&case.problem, x, 3e3, 1.0)
+    ActiveSet::new(&case.problem, x, BEGINNING)
 }
 
 /// Distances in play beyond what is kept, of margins and of claims, m.
@@ -38,11 +49,14 @@ fn every_object_near_a_robot_is_found() {
     let mut found = 0;
     for (case, x) in cases() {
         let set = set_of(&case, &x);
-        let rows: BTreeSet<(u32, Side, u32, u8)> = set
+        let rows: BTreeSet<(usize, Side, u32, Tier)> = set
             .points
+            .items
             .iter()
-            .filter_map(|r| match r.kind {
-                PointKind::Object(id, tier) => Some((r.stage, r.robot, id, tier as u8)),
+            .filter_map(|r| match r.rule {
+                PointRules::OffObject(rule) => {
+                    Some((r.at.stage(), r.at.robot(), rule.object, rule.tier))
+                }
                 _ => None,
             })
             .collect();
@@ -57,7 +71,7 @@ fn every_object_near_a_robot_is_found() {
                             - scene.robot.radius
                             - case.kept(tier, case.problem.reserve.clearance);
                         if gap < ahead(tier) {
-                            expected.insert((stage as u32, robot, id as u32, tier as u8));
+                            expected.insert((stage, robot, id as u32, tier));
                         }
                     }
                 }
@@ -78,7 +92,11 @@ fn every_obstacle_near_what_the_line_sweeps_is_found() {
     let mut found = 0;
     for (case, x) in cases() {
         let set = set_of(&case, &x);
-        let rows: BTreeSet<(u32, u32, u8)> = set.quads.iter().map(|r| r.key()).collect();
+        let key = |r: &Item<LineRules, QUAD>| {
+            let LineRules::LineOffObstacle(rule) = r.rule;
+            (r.at.stage(), rule.piece, rule.tier)
+        };
+        let rows: BTreeSet<(usize, u32, Tier)> = set.lines.items.iter().map(key).collect();
         for step in 0..x.stages.len() - 1 {
             let ends = [0, 1]
                 .map(|k| Side::BOTH.map(|r| x.position(step + k, r)))
@@ -99,7 +117,7 @@ fn every_obstacle_near_what_the_line_sweeps_is_found() {
             for &(gap, id) in near.iter().take(6) {
                 for tier in Tier::BOTH {
                     let c = gap - case.kept(tier, case.problem.reserve.net_clearance);
-                    let present = rows.contains(&(step as u32, id, tier as u8));
+                    let present = rows.contains(&(step, id, tier));
                     // Of a tier only where the margin's is too.
                     assert_eq!(present, c < ahead(tier), "{c} of {tier:?} {id} at {step}");
                     found += usize::from(present);
@@ -119,7 +137,7 @@ fn crossings_are_where_a_search_of_all_waypoints_finds_them() {
             if moved {
                 // Eight waypoints earlier, and looked up again from where they were.
                 x.stages.rotate_left(8);
-                set.refresh(&case.problem, &x, 3e3, 1.0);
+                set.refresh(&case.problem, &x, BEGINNING);
             }
             for (id, object) in case.made.scene.objects.iter().enumerate() {
                 let miss = |i: usize| {

@@ -2,6 +2,7 @@
 
 use super::case::{Case, shaken};
 use crate::iterate::STAGE;
+use crate::state::State;
 use crate::workspace::Workspace;
 
 const SHIFT: f64 = 0.1;
@@ -14,10 +15,10 @@ fn residual(work: &Workspace, stages: std::ops::Range<usize>) -> f64 {
         .map(|r| {
             let near = r.saturating_sub(12)..(r + 13).min(order);
             let product: f64 = near
-                .map(|c| system.matrix.entry(r, c) * newton.direction[c])
+                .map(|c| system.matrix.entry(r, c) * newton.direction.inner[c])
                 .sum();
-            let own = SHIFT * newton.direction[r] + system.gradient[r];
-            (product + own + system.arrow[r] * newton.length).abs()
+            let own = SHIFT * newton.direction.inner[r] + system.gradient[r];
+            (product + own + system.arrow[r] * newton.direction.length).abs()
         })
         .fold(0.0, f64::max)
 }
@@ -44,13 +45,13 @@ fn a_part_is_solved_with_the_rest_in_its_place() {
             work.newton = whole.clone();
             // Something else there before: what is found does not come from it.
             let block = (part.start - 1) * STAGE..(part.end - 1) * STAGE;
-            work.newton.direction[block.clone()].fill(0.3);
+            work.newton.direction.inner[block.clone()].fill(0.3);
             assert!(work.newton.solve_part(&work.system, part.clone()));
             let found = residual(&work, part.clone());
             assert!(found < 1e-6 * scale, "{found} in {part:?}");
             let outside = |k: &usize| !block.contains(k);
-            for k in (0..whole.direction.len()).filter(outside) {
-                assert_eq!(work.newton.direction[k], whole.direction[k]);
+            for k in (0..whole.direction.inner.len()).filter(outside) {
+                assert_eq!(work.newton.direction.inner[k], whole.direction.inner[k]);
             }
         }
     }
@@ -67,7 +68,7 @@ fn rows_of_a_part_follow_the_direction_as_all_rows_do() {
     assert!(work.newton.solve(&work.system, true, SHIFT));
     work.newton.recover(&mut state, None);
     // The direction changes in stages 30 to 49 alone, and with it the rows of these and of the step to them.
-    for d in &mut work.newton.direction[29 * STAGE..49 * STAGE] {
+    for d in &mut work.newton.direction.inner[29 * STAGE..49 * STAGE] {
         *d *= -2.0;
     }
     let mut part = (work.newton.clone(), state.clone());
@@ -75,10 +76,9 @@ fn rows_of_a_part_follow_the_direction_as_all_rows_do() {
     work.newton.recover(&mut state, None);
     assert_eq!(part.0.limits, work.newton.limits);
     assert_eq!(part.0.lambda, work.newton.lambda);
-    let steps = |s: &crate::state::State| {
-        let mut all = Vec::new();
-        each_row!(s.set, row, { all.push([row.ds, row.de, row.dz]) });
-        all
+    let steps = |s: &mut State| -> Vec<[f64; 3]> {
+        let rows = s.set.rows_mut();
+        rows.map(|row| [row.ds, row.de, row.dz]).collect()
     };
-    assert_eq!(steps(&part.1), steps(&state));
+    assert_eq!(steps(&mut part.1), steps(&mut state));
 }

@@ -3,7 +3,7 @@
 
 use super::derivative_check::{Fault, assert_checked, check, slope};
 use super::{between, regions};
-use crate::constraints::QuadDistance;
+use crate::constraints::quad_distance::QuadDistance;
 use crate::pieces::Piece;
 use crate::term::{QUAD, Term};
 use fastrand::Rng;

@@ -14,7 +14,7 @@ fn centered_rows_lie_on_the_central_path() {
     for c in [-2.0, -0.1, -1e-6, 0.0, 1e-9, 1e-3, 0.4, 30.0] {
         for weight in [20.0, 3e3, 1e6] {
             for mu in [1.0, 1e-3, 1e-6] {
-                let row = Row::<1>::centered(c, weight, mu);
+                let row = Row::centered(c, weight, mu);
                 let at = format!("c {c}, weight {weight}, mu {mu}: {row:?}");
                 assert!(
                     row.s > 0.0 && row.e > 0.0 && row.z > 0.0 && row.y() > 0.0,
@@ -32,18 +32,18 @@ fn centered_rows_lie_on_the_central_path() {
 
 #[test]
 fn hard_rows_are_centered_where_they_can_be() {
-    let feasible = Row::<1>::centered(0.3, f64::INFINITY, 1e-2);
+    let feasible = Row::centered(0.3, f64::INFINITY, 1e-2);
     assert_eq!((feasible.s, feasible.e), (0.3, 0.0));
     assert!(close(feasible.s * feasible.z, 1e-2, 1e-12) && feasible.residual() == 0.0);
     // A violated hard row keeps a positive slack and a residual that shows it.
-    let violated = Row::<1>::centered(-0.2, f64::INFINITY, 1e-2);
+    let violated = Row::centered(-0.2, f64::INFINITY, 1e-2);
     assert!(violated.s > 0.0 && violated.e == 0.0 && violated.z > 0.0);
     assert!(close(violated.s * violated.z, 1e-2, 1e-12));
     assert!(violated.residual() < -0.2);
 }
 
 /// A row off the central path.
-fn random_row(random: &mut Rng, weight: f64) -> Row<1> {
+fn random_row(random: &mut Rng, weight: f64) -> Row {
     let mut row = Row::centered(between(random, -0.3, 0.3), weight, 1e-2);
     row.s *= between(random, 0.3, 3.0);
     if weight.is_finite() {
@@ -100,7 +100,7 @@ fn steps_of_a_dear_violation_keep_the_digits_of_its_slack() {
     // it in a difference would end every step at once.
     for weight in [3e3, 1.8e6, 3.6e7] {
         for c in [-0.4, -1e-2] {
-            let mut row = Row::<1>::centered(c, weight, 1e-3);
+            let mut row = Row::centered(c, weight, 1e-3);
             for (mu, dc) in [(1e-4, 0.0), (1e-4, 3e-5), (1e-3, -1e-4)] {
                 row.condense(mu);
                 row.recover(mu, dc);
@@ -182,7 +182,7 @@ fn steps_stay_inside() {
 
 #[test]
 fn stepped_rows_give_back_slack_that_they_do_not_need() {
-    let mut row = Row::<1>::centered(0.1, 20.0, 1e-3);
+    let mut row = Row::centered(0.1, 20.0, 1e-3);
     (row.ds, row.de, row.dz) = (0.02, 0.001, 0.5);
     let (s, e) = row.stepped(0.5, 0.4);
     assert!(close(e, row.e + 0.0005, 1e-12) && close(s, 0.4 + e, 1e-12));
@@ -221,7 +221,7 @@ fn rows_presumed_met_are_positive_and_hardly_violated() {
     for c in [-0.2, -1e-9, 0.0, 1e-7, 1e-3, 0.4, 30.0] {
         for weight in [20.0, 3e3, 1e6, f64::INFINITY] {
             for mu in [1.0, 1e-3, 1e-6] {
-                let mut row = Row::<1>::centered(c, weight, 1.0);
+                let mut row = Row::centered(c, weight, 1.0);
                 row.presume_met(mu);
                 let at = format!("c {c}, weight {weight}, mu {mu}: {row:?}");
                 assert!(row.s > 0.0 && row.z > 0.0 && row.y() > 0.0, "{at}");
@@ -260,7 +260,7 @@ fn reinforced_rows_say_what_they_add() {
             row.limit_step(&mut own);
             let was = row;
             let added = row.reinforce(mu, limit);
-            let same = |a: &Row<1>, b: &Row<1>| {
+            let same = |a: &Row, b: &Row| {
                 (a.s, a.e, a.c, a.ds, a.de, a.dz) == (b.s, b.e, b.c, b.ds, b.de, b.dz)
             };
             assert!(same(&row, &was), "only the multiplier changes");

@@ -2,14 +2,21 @@
 
 use super::derivative_check::{Fault, assert_checked, check};
 use super::{between, regions};
-use crate::constraints::{
-    Abreast, CenterDistance, HalfPlane, NetReach, PointDistance, SeparationAbove, SeparationBelow,
-};
-use crate::costs::Expansion;
+use crate::constraints::abreast::Abreast;
+use crate::constraints::half_plane::HalfPlane;
+use crate::constraints::net_reach::NetReach;
+use crate::constraints::point_distance::{CenterDistance, PointDistance};
+use crate::constraints::separation::{SeparationAbove, SeparationBelow};
+use crate::constraints::step_bounds::StepBound;
+use crate::costs::distance::Distance;
+use crate::costs::expansion::Expansion;
+use crate::costs::smoothness::Smoothness;
+use crate::costs::turning::Turning;
 use crate::pieces::Piece;
 use crate::term::{PAIR, Term};
 use fastrand::Rng;
 use pairtrawl_geometry::Point;
+use pairtrawl_model::Side;
 use std::f64::consts::{FRAC_2_PI, PI};
 
 fn expansion() -> Expansion {
@@ -127,6 +134,26 @@ fn check_pair_term(seed: u64, term: &dyn Term<PAIR>) {
 }
 
 #[test]
+fn costs_and_bounds_of_steps() {
+    for z in [-0.7, -0.1, 0.05, 0.4] {
+        for sign in [1.0, -1.0] {
+            assert_checked(&StepBound { sign, offset: 0.3 }, &[z], 0.01);
+        }
+        assert_checked(&Distance { weight: 300.0 }, &[z], 0.01);
+        assert_checked(&Turning { weight: 10.0 }, &[z], 0.01);
+    }
+}
+
+#[test]
+fn smoothness() {
+    let mut random = Rng::with_seed(9);
+    for _ in 0..20 {
+        let z = std::array::from_fn(|_| between(&mut random, -2.0, 2.0));
+        assert_checked(&Smoothness { weight: 110.0 }, &z, 0.1);
+    }
+}
+
+#[test]
 fn separation() {
     check_pair_term(
         3,
@@ -146,12 +173,12 @@ fn separation() {
 
 #[test]
 fn abreast() {
-    for heading in [2, 3] {
+    for robot in Side::BOTH {
         check_pair_term(
             5,
             &Abreast {
                 cos_max_skew: 0.54,
-                heading,
+                robot,
             },
         );
     }

@@ -1,0 +1,36 @@
+use pairtrawl_geometry::Point;
+use pairtrawl_model::{Obstacle, Scene};
+
+/// Obstacle cost J_obs of one waypoint (the paper's eqs. 4 to 6): K1 inside an obstacle, plus the potential of every object's circle (radius with margin gamma).
+pub(crate) fn obstacle_cost(scene: &Scene, p: Point) -> f64 {
+    let k = &scene.planner;
+    let margin = k.circle_margin.unwrap_or(scene.robot.radius);
+    let mut cost = if in_obstacle(scene, p) { k.k1 } else { 0.0 };
+    for object in &scene.objects {
+        let radius = object.footprint_radius() + margin;
+        let distance = p.distance(object.position).max(f64::MIN_POSITIVE.sqrt());
+        // Exactly on the circle the potential is zero; rounding there must not count.
+        if distance < radius {
+            let steep = 1.0 / distance - 1.0 / radius;
+            cost += 0.5 * k.k2 * steep * steep;
+        }
+    }
+    cost
+}
+
+fn in_obstacle(scene: &Scene, p: Point) -> bool {
+    let in_map = scene.map.as_ref().is_some_and(|map| {
+        let c = map.to_cells(p);
+        map.is_blocked(c.x.floor() as i64, c.y.floor() as i64)
+    });
+    in_map
+        || scene.obstacles.iter().any(|obstacle| match obstacle {
+            Obstacle::Box { min, max } => {
+                p.x >= min.x && p.x <= max.x && p.y >= min.y && p.y <= max.y
+            }
+            Obstacle::Circle { center, radius } => p.distance(*center) <= *radius,
+            Obstacle::Polygon(vertices) => {
+                pairtrawl_geometry::Polygon::new(vertices.clone()).contains(p)
+            }
+        })
+}

@@ -1,0 +1,69 @@
+use crate::anchor::StepAt;
+use crate::constraints::step_bounds::StepBound;
+use crate::problem::Problem;
+use crate::rule::Rule;
+use crate::sight::Sight;
+use crate::step::Coordinate;
+use crate::term::{Jet, STEP, Term};
+use pairtrawl_model::PlannerParameters;
+
+/// The second part of J_dist (the paper's eq. 7): a heading change in one step costs `weight |turn|`.
+///
+/// The solver splits it, without a smoothing width, into a linear part and the violation of a bound ([`TurnCost`]):
+/// `weight |turn| = -weight turn + 2 weight max(0, turn)`. Summed over a course the linear part depends on the headings at
+/// its ends alone.
+#[derive(Clone, Copy, Debug)]
+pub struct Turning {
+    /// `a2 t2`, 1/rad.
+    pub weight: f64,
+}
+
+impl Turning {
+    /// Of a scene.
+    pub fn of(p: &PlannerParameters) -> Self {
+        Self {
+            weight: p.a2 * p.t2,
+        }
+    }
+
+    /// The linear part.
+    pub fn linear(&self, turn: f64) -> f64 {
+        -self.weight * turn
+    }
+}
+
+impl Term<STEP> for Turning {
+    #[inline]
+    fn value(&self, &[turn]: &[f64; STEP]) -> f64 {
+        self.weight * turn.abs()
+    }
+
+    #[inline]
+    fn jet(&self, z: &[f64; STEP]) -> Jet<STEP> {
+        Jet::linear(self.value(z), [self.weight * z[0].signum()])
+    }
+}
+
+/// The bound `-turn >= 0`, whose violation is what turning costs.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct TurnCost;
+
+impl Rule<StepAt, STEP> for TurnCost {
+    fn look_up(_: &mut Sight, at: StepAt, add: &mut impl FnMut(Self)) {
+        if at.coordinate() == Coordinate::Turn {
+            add(Self);
+        }
+    }
+
+    #[inline]
+    fn term(self, _: &Problem, _: StepAt) -> impl Term<STEP> {
+        StepBound {
+            sign: -1.0,
+            offset: 0.0,
+        }
+    }
+
+    fn price(self, problem: &Problem, _: f64) -> f64 {
+        2.0 * Turning::of(&problem.planner).weight
+    }
+}
