@@ -171,8 +171,9 @@ impl Problem {
         self
     }
 
-    /// A chord between waypoints comes this much nearer to a corner that is a robot radius away than the waypoints do.
+    /// A chord between waypoints comes this much nearer to a corner that is a robot radius away than the waypoints do, with
+    /// a little reserve.
     pub(crate) fn sag(&self) -> f64 {
-        self.planner.max_step * self.planner.max_step / (8.0 * self.robot.radius)
+        1.075 * self.planner.max_step * self.planner.max_step / (8.0 * self.robot.radius)
     }
 }
