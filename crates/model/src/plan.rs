@@ -123,6 +123,16 @@ pub struct SolverReport {
     pub seconds: f64,
 }
 
+impl SolverReport {
+    /// Of a plan that does not say how it was found.
+    pub const NOT_STATED: Self = Self {
+        status: SolverStatus::NotStated,
+        iterations: 0,
+        kkt_error: f64::NAN,
+        seconds: 0.0,
+    };
+}
+
 /// How the optimization ended.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum SolverStatus {

@@ -1,12 +1,10 @@
 use crate::check::{Candidate, check};
 use crate::files::PlanFile;
-use pairtrawl_model::{
-    PairTrajectory, Plan, Rehearsal, Scene, SceneReference, SolverReport, SolverStatus,
-};
+use pairtrawl_model::{PairTrajectory, Plan, Scene, SceneReference};
 use pairtrawl_trajopt::evaluate;
 
 /// A plan from a file, perhaps one made elsewhere, with its cost evaluated and every claim derived again. Its certificate
-/// need not hold; how it was found is not known.
+/// need not hold; what the file states about its solver and its rehearsal is kept.
 pub fn judge(scene: &Scene, reference: &SceneReference, file: &PlanFile) -> Plan {
     let trajectory = file.trajectory(scene);
     let candidate = Candidate {
@@ -32,13 +30,8 @@ pub fn judge(scene: &Scene, reference: &SceneReference, file: &PlanFile) -> Plan
         },
         circles: file.circles.clone(),
         order: file.order.clone(),
-        rehearsal: Rehearsal::Skipped,
-        solver: SolverReport {
-            status: SolverStatus::NotStated,
-            iterations: 0,
-            kkt_error: f64::NAN,
-            seconds: 0.0,
-        },
+        rehearsal: file.rehearsal.clone(),
+        solver: file.solver.clone(),
         warnings: Vec::new(),
         trajectory,
     }

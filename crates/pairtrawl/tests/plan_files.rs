@@ -148,6 +148,10 @@ fn a_written_plan_reads_back_as_the_same_bits() {
         (&plan.centerline, &plan.circles, &plan.order)
     );
     assert_eq!(
+        (&read.rehearsal, &read.solver),
+        (&plan.rehearsal, &plan.solver)
+    );
+    assert_eq!(
         (read.cost, read.baseline),
         (
             Some(plan.cost),
@@ -167,6 +171,22 @@ fn overrides_take_three_forms() {
         };
         let read = parse_plan(&plan_json(&plan).unwrap(), Path::new("plan.json")).unwrap();
         assert_eq!(read.overrides.net_length, choice);
+    }
+}
+
+#[test]
+fn a_solver_or_rehearsal_stated_in_another_way_is_not_stated() {
+    let mut json: serde_json::Value = serde_json::from_str(&plan_json(&plan()).unwrap()).unwrap();
+    for foreign in [
+        serde_json::json!("ipopt 3.14"),
+        serde_json::json!({ "status": "solved" }),
+        serde_json::json!({ "status": "optimal", "iterations": 5, "kkt_error": null, "seconds": 0.1 }),
+    ] {
+        json["solver"] = foreign.clone();
+        json["rehearsal"] = foreign;
+        let read = parse_plan(&json.to_string(), Path::new("plan.json")).unwrap();
+        assert_eq!(read.solver.status, SolverStatus::NotStated);
+        assert_eq!(read.rehearsal, Rehearsal::Skipped);
     }
 }
 

@@ -56,10 +56,18 @@ pub struct File {
     #[serde(skip_deserializing, skip_serializing_if = "Option::is_none")]
     pub certificate: Option<FileCertificate>,
     /// What the simulated drive said. Never a proof.
-    #[serde(skip_deserializing, skip_serializing_if = "Option::is_none")]
+    #[serde(
+        default,
+        deserialize_with = "if_readable",
+        skip_serializing_if = "Option::is_none"
+    )]
     pub rehearsal: Option<FileRehearsal>,
     /// How the optimization ended.
-    #[serde(skip_deserializing, skip_serializing_if = "Option::is_none")]
+    #[serde(
+        default,
+        deserialize_with = "if_readable",
+        skip_serializing_if = "Option::is_none"
+    )]
     pub solver: Option<FileSolver>,
     /// Warnings for people.
     #[serde(skip_deserializing, skip_serializing_if = "Option::is_none")]
@@ -123,8 +131,18 @@ pub struct FileCertificate {
     pub claims: Vec<FileClaim>,
 }
 
+/// What another program may state in its own way: none when it is not as here.
+fn if_readable<'de, T, D>(deserializer: D) -> Result<Option<T>, D::Error>
+where
+    T: serde::de::DeserializeOwned,
+    D: serde::Deserializer<'de>,
+{
+    let value = serde_json::Value::deserialize(deserializer)?;
+    Ok(serde_json::from_value(value).ok())
+}
+
 /// What the simulated drive said.
-#[derive(Serialize)]
+#[derive(Serialize, Deserialize)]
 #[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 #[serde(tag = "status", rename_all = "lowercase")]
 pub enum FileRehearsal {
@@ -145,12 +163,12 @@ pub enum FileRehearsal {
 }
 
 /// How the optimization ended.
-#[derive(Serialize)]
+#[derive(Serialize, Deserialize)]
 #[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 pub struct FileSolver {
     /// Its status; `not_stated` when the plan comes from elsewhere.
     #[cfg_attr(feature = "schema", schemars(extend("enum" = SolverStatus::ALL.map(SolverStatus::name))))]
-    pub status: &'static str,
+    pub status: String,
     /// Iterations of the last optimization.
     pub iterations: usize,
     /// Scaled error of the optimality conditions; null when it is not known.

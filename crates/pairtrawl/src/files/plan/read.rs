@@ -1,16 +1,16 @@
 use super::FORMAT;
-use super::file::{Auto, File, FileNetLength};
+use super::file::{Auto, File, FileNetLength, FileRehearsal, FileSolver};
 use crate::files::limits::{PLAN_BYTES, read_bounded, text};
 use crate::files::{FileError, Problem};
 use pairtrawl_geometry::{Point, Pose};
 use pairtrawl_model::{
-    Circle, Cost, Overrides, PairTrajectory, Scene, SceneReference, default_step_time,
+    Circle, Cost, Overrides, PairTrajectory, Rehearsal, Scene, SceneReference, SolverReport,
+    SolverStatus, default_step_time,
 };
 use serde::Deserialize;
 use std::path::Path;
 
-/// A plan as it stands in a file, perhaps one made by another program. Its certificate, its rehearsal and its solver's
-/// report are not read: claims are derived anew.
+/// A plan as it stands in a file, perhaps one made by another program. Its certificate is not read: claims are derived anew.
 #[derive(Clone, Debug, PartialEq)]
 pub struct PlanFile {
     /// d_max, m.
@@ -37,6 +37,10 @@ pub struct PlanFile {
     pub order: Vec<usize>,
     /// The paper's J as the file states it.
     pub cost: Option<Cost>,
+    /// What the rehearsal said, as the file states it.
+    pub rehearsal: Rehearsal,
+    /// How the optimization ended, as the file states it.
+    pub solver: SolverReport,
 }
 
 impl PlanFile {
@@ -160,6 +164,37 @@ impl File {
     }
 }
 
+impl From<FileRehearsal> for Rehearsal {
+    fn from(rehearsal: FileRehearsal) -> Self {
+        match rehearsal {
+            FileRehearsal::Passed => Self::Passed,
+            FileRehearsal::Skipped => Self::Skipped,
+            FileRehearsal::Failed { event, time, place } => Self::Failed {
+                event,
+                time,
+                place: place.into(),
+            },
+        }
+    }
+}
+
+impl From<FileSolver> for SolverReport {
+    fn from(solver: FileSolver) -> Self {
+        match SolverStatus::ALL
+            .into_iter()
+            .find(|status| status.name() == solver.status)
+        {
+            None => Self::NOT_STATED,
+            Some(status) => Self {
+                status,
+                iterations: solver.iterations,
+                kkt_error: solver.kkt_error.unwrap_or(f64::NAN),
+                seconds: solver.seconds,
+            },
+        }
+    }
+}
+
 impl From<File> for PlanFile {
     fn from(file: File) -> Self {
         let poses = |raw: Vec<[f64; 3]>| raw.into_iter().map(Pose::from).collect::<Vec<_>>();
@@ -196,6 +231,10 @@ impl From<File> for PlanFile {
                 obstacle: c.obstacle,
                 expansion: c.expansion,
             }),
+            rehearsal: file.rehearsal.map_or(Rehearsal::Skipped, Rehearsal::from),
+            solver: file
+                .solver
+                .map_or(SolverReport::NOT_STATED, SolverReport::from),
         }
     }
 }

@@ -96,7 +96,7 @@ impl From<&Rehearsal> for FileRehearsal {
 impl From<&SolverReport> for FileSolver {
     fn from(solver: &SolverReport) -> Self {
         Self {
-            status: solver.status.name(),
+            status: solver.status.name().to_owned(),
             iterations: solver.iterations,
             kkt_error: finite(solver.kkt_error),
             seconds: solver.seconds,
