@@ -57,6 +57,7 @@ fn main() -> Result<(), Box<dyn Error>> {
                 scene,
                 length,
                 trajectory,
+                &trajectory.times(),
                 &execution.trials[0],
             )?;
             Ok(())

@@ -173,7 +173,7 @@ fn files_say_what_happened() {
 
     let t = drive::trajectory();
     let scene = drive::scene(&t);
-    let files = recording(&scene, drive::NET, &t, &execution.trials[0]).unwrap();
+    let files = recording(&scene, drive::NET, &t, &t.times(), &execution.trials[0]).unwrap();
     let summary = mcap::Summary::read(&files.mcap).unwrap().unwrap();
     assert!(
         !summary.chunk_indexes.is_empty(),

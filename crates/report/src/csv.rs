@@ -1,10 +1,9 @@
-use crate::svg::Rounded;
 use pairtrawl_model::{LengthCurve, Panel};
 use std::fmt::Write;
 
 /// All curves of some panels as one table in CSV: a row per instant, a column per curve named
 /// `<panel key>_<curve>_<unit>`, empty where a curve has no value. A value that belongs to a step stands in the row of
-/// the instant at which the step begins. Seconds and values have at most six decimals.
+/// the instant at which the step begins. Numbers have full precision.
 pub fn series_csv(panels: &[Panel]) -> String {
     let mut times: Vec<f64> = panels
         .iter()
@@ -85,7 +84,7 @@ pub fn length_csv(curve: &LengthCurve) -> String {
 
 fn push(out: &mut String, value: f64) {
     // Writing to a String cannot fail.
-    let _ = write!(out, "{}", Rounded(value, 6));
+    let _ = write!(out, "{value}");
 }
 
 /// A name that needs no quotes in any program: letters and digits, the rest becomes underscores.

@@ -2,7 +2,7 @@
 
 mod sample;
 
-use pairtrawl_model::{Summary, Warning};
+use pairtrawl_model::{Rehearsal, SolverReport, Summary, Warning};
 use pairtrawl_report::report_html;
 use scraper::{Html, Selector};
 use serde_json::Value;
@@ -28,6 +28,12 @@ fn text(document: &Html, css: &str) -> String {
         .unwrap()
         .text()
         .collect()
+}
+
+fn text_of_all(document: &Html, css: &str) -> Vec<String> {
+    let selector = select(css);
+    let all = document.select(&selector);
+    all.map(|e| e.text().collect()).collect()
 }
 
 fn data(document: &Html) -> Value {
@@ -103,6 +109,60 @@ fn motion_adds_what_it_has() {
         count(&without, "#source, #trials, #events, #layer-ribbons"),
         0
     );
+}
+
+#[test]
+fn failure_comes_first_and_what_is_not_known_is_not_made_up() {
+    let mut summary = sample::with_motion(sample::summary(8), 20, 6);
+    summary.claims.truncate(1);
+    summary.solver = SolverReport::NOT_STATED;
+    summary.rehearsal = Rehearsal::Skipped;
+    let document = parse(&report_html(&summary));
+    let badges: Vec<(String, String)> = document
+        .select(&select(".badge"))
+        .map(|b| {
+            (
+                b.value().attr("class").unwrap().to_owned(),
+                b.text().collect(),
+            )
+        })
+        .collect();
+    assert_eq!(badges[0].0, "badge bad");
+    assert_eq!(badges[0].1, "\u{2717} 1 of 2 trials gathered everything");
+    assert_eq!(badges[1].1, "\u{2713} plan certified");
+    assert_eq!(badges[2].1, "rehearsal not stated");
+    let first = document.select(&select("main > section")).next().unwrap();
+    assert_eq!(first.value().attr("id"), Some("failures"));
+    assert!(text(&document, "#failures li").starts_with("Trial 1 gathered 1 of 2 objects"));
+    // Both errors, each by its name.
+    let cell = |label: &str| text(&document, &format!("#trials td[data-label='{label}']"));
+    assert!(cell("settled error").contains("left 3.00 / 9.00 mm"));
+    assert!(cell("settled error").contains("right 4.00 / 8.00 mm"));
+    assert!(cell("whole-run error").contains("right 5.00 / 20.0 mm"));
+    assert!(text(&document, "#making").contains("not stated"));
+    let main = document.select(&select("main")).next().unwrap();
+    assert!(!main.text().any(|t| t.contains("NaN")));
+
+    // All is well: nothing to say about failures.
+    let execution = summary.execution.as_mut().unwrap();
+    execution.trials.truncate(1);
+    execution.trials_wanted = 1;
+    let document = parse(&report_html(&summary));
+    assert_eq!(count(&document, "#failures, .badge.bad"), 0);
+    // A trial that was wanted and is not there counts.
+    summary.execution.as_mut().unwrap().trials_wanted = 3;
+    let document = parse(&report_html(&summary));
+    assert!(text(&document, "#failures").contains("2 of 3 trials were not finished"));
+}
+
+#[test]
+fn robots_are_told_apart_without_color() {
+    let document = parse(&report_html(&sample::summary(60)));
+    let letters = |layer: &str| text_of_all(&document, &format!("#labels-{layer} .letter"));
+    assert_eq!(letters("ends"), ["L", "R", "L", "R"]);
+    assert_eq!(letters("paths"), ["L", "R"]);
+    assert_eq!(text_of_all(&document, "#labels-objects .index"), ["0", "1"]);
+    assert_eq!(text_of_all(&document, "#labels-circles .visit"), ["1"]);
 }
 
 #[test]

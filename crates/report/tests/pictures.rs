@@ -137,6 +137,41 @@ fn the_picture_of_a_small_plan() {
 }
 
 #[test]
+fn machines_of_any_size_have_the_same_picture_in_other_units() {
+    let texts = |factor: f64| -> Vec<String> {
+        let svg = plan_svg(&sample::scaled(sample::summary(20), factor));
+        let document = Document::parse(&svg).unwrap();
+        let texts = document.descendants().filter(|n| n.has_tag_name("text"));
+        texts.filter_map(|n| n.text().map(str::to_owned)).collect()
+    };
+    for (factor, axis, bar, net) in [
+        (0.02, "x (mm)", "10 mm", "net 30.0 mm"),
+        (1.0, "x (m)", "500 mm", "net 1.500 m"),
+        (1e3, "x (km)", "500 m", "net 1.500 km"),
+        (1e4, "x (km)", "5 km", "net 15.000 km"),
+    ] {
+        let texts = texts(factor);
+        assert!(texts.iter().any(|t| t == axis), "{factor}: {texts:?}");
+        assert!(texts.iter().any(|t| t == bar), "{factor}: {texts:?}");
+        assert!(
+            texts.iter().any(|t| t.starts_with(net)),
+            "{factor}: {texts:?}"
+        );
+    }
+    // What is drawn where is the same to a tenth of a pixel.
+    let path = |factor: f64| {
+        let svg = plan_svg(&sample::scaled(sample::summary(20), factor));
+        let document = Document::parse(&svg).unwrap();
+        ends(&of_class(&document, "right path")[0])
+    };
+    let (start, end) = path(1.0);
+    for factor in [0.02, 1e3, 1e4] {
+        let (s, e) = path(factor);
+        assert!(s.distance(start) < 0.1 && e.distance(end) < 0.1, "{factor}");
+    }
+}
+
+#[test]
 fn a_map_is_what_its_free_rings_leave() {
     let mut summary = sample::summary(2);
     summary.outline.obstacles.clear();
@@ -232,7 +267,7 @@ fn curves_as_a_table() {
     t,separation_robots_m,step_length_left_m,step_length_right_m,tension_left__mean_N
     0,1,0,,0.5
     0.25,1,0.01,,
-    0.3,,,,0.123457
+    0.3,,,,0.123456789
     0.5,1,0.02,,
     0.75,1,,,
     "##);

@@ -43,8 +43,14 @@ pub fn run(arguments: &RunArguments) -> Result<Done, Failure> {
         ),
     ];
     if let Some(first) = execution.trials.first() {
-        let bag = recording(scene, plan.net_length, &plan.trajectory, first)
-            .map_err(|error| Failure::new(Exit::Internal, error.to_string()))?;
+        let bag = recording(
+            scene,
+            plan.net_length,
+            &plan.trajectory,
+            &plan.times(),
+            first,
+        )
+        .map_err(|error| Failure::new(Exit::Internal, error.to_string()))?;
         contents.push((RECORDING_NAME, bag.mcap));
         contents.push(("metadata.yaml", bag.metadata.into_bytes()));
     }

@@ -22,7 +22,7 @@ pub enum WriteRecordingError {
     File(#[from] FileError),
 }
 
-/// Renders `run.mcap` and `metadata.yaml` of a trial.
+/// Renders `run.mcap` and `metadata.yaml` of a trial; `times` says when each waypoint of the plan is passed, s.
 ///
 /// # Errors
 /// When the scene's grid cannot be built or a message not encoded.
@@ -30,6 +30,7 @@ pub fn recording(
     scene: &Scene,
     net_length: f64,
     plan: &PairTrajectory,
+    times: &[f64],
     trial: &Trial,
 ) -> Result<RecordingFiles, WriteRecordingError> {
     let grid = World::new(scene, Some(net_length))?.grid;
@@ -47,6 +48,7 @@ pub fn recording(
     let net_thickness = scene.physics.net_thickness;
     Ok(record(&Recording {
         plan,
+        times,
         trial,
         objects: &scene.objects,
         net_thickness,
@@ -63,9 +65,10 @@ pub fn write_recording(
     scene: &Scene,
     net_length: f64,
     plan: &PairTrajectory,
+    times: &[f64],
     trial: &Trial,
 ) -> Result<(), WriteRecordingError> {
-    let files = recording(scene, net_length, plan, trial)?;
+    let files = recording(scene, net_length, plan, times, trial)?;
     write_atomically(&folder.join(RECORDING_NAME), &files.mcap)?;
     Ok(write_atomically(
         &folder.join("metadata.yaml"),

@@ -1,4 +1,4 @@
-use super::RECORDING_NAME;
+use super::recording::RECORDING_NAME;
 use super::topics::{self, Topic};
 use std::collections::BTreeMap;
 

@@ -181,6 +181,36 @@ fn claims() -> Vec<ClaimSummary> {
     ]
 }
 
+/// The summary of the same plan for a machine `factor` times as large.
+#[allow(dead_code, reason = "not every test needs scales")]
+pub fn scaled(mut summary: Summary, factor: f64) -> Summary {
+    let pose = |p: Pose| Pose::at(p.position() * factor, p.heading);
+    let pair = |p: PairPose| PairPose {
+        left: pose(p.left),
+        right: pose(p.right),
+    };
+    let outline = &mut summary.outline;
+    (outline.start, outline.end) = (pair(outline.start), pair(outline.end));
+    (outline.area.min, outline.area.max) = (outline.area.min * factor, outline.area.max * factor);
+    outline.robot.radius *= factor;
+    outline.robot.hitch *= factor;
+    outline.obstacles.clear();
+    for object in &mut outline.objects {
+        object.position = object.position * factor;
+        object.footprint = Footprint::Disc(0.04 * factor);
+    }
+    for circle in &mut summary.circles {
+        circle.center = circle.center * factor;
+        circle.radius *= factor;
+    }
+    summary.centerline = summary.centerline.into_iter().map(pose).collect();
+    summary.baseline = summary.baseline.map(pose);
+    summary.trajectory = summary.trajectory.map(pose);
+    summary.net_length *= factor;
+    summary.left_length *= factor;
+    summary
+}
+
 /// Adds a rehearsal of `count` frames with a net of `nodes` points, and an execution of two trials that shows the same.
 #[allow(dead_code, reason = "not every test needs motion")]
 pub fn with_motion(mut summary: Summary, count: usize, nodes: usize) -> Summary {
