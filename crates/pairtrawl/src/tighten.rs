@@ -10,6 +10,8 @@ use pairtrawl_trajopt::Problem;
 const LEAST_RESERVE: f64 = 1e-3;
 /// A claim that failed by some amount gets this many times the amount in reserve.
 const RESERVE_FACTOR: f64 = 1.5;
+/// What is kept where the wished-for clearance has no room grows by at most this: the curve strays no farther between waypoints.
+const MOST_SAG: f64 = 2e-3;
 /// So many more waypoints when an attempt did not fit its steps.
 const MORE_WAYPOINTS: f64 = 1.1;
 /// Added to clearances when something was touched in a rehearsal.
@@ -24,6 +26,8 @@ const GENTLER_TURNS: f64 = 0.75;
 pub(crate) struct Tightening {
     /// Added to the wished distance of robots from obstacles and objects.
     clearance: f64,
+    /// Added to the distance of robots and net from obstacles and objects that is kept even where what is wished for gives way.
+    sag: f64,
     /// Added to the wished distance of the net's straight line from obstacles.
     net_clearance: f64,
     /// Added to both bounds of the separation.
@@ -44,6 +48,7 @@ impl Tightening {
     /// Nothing beyond the scene.
     pub const NONE: Self = Self {
         clearance: 0.0,
+        sag: 0.0,
         net_clearance: 0.0,
         separation: 0.0,
         net_reach: 0.0,
@@ -56,8 +61,10 @@ impl Tightening {
     /// Makes a problem stricter.
     pub fn apply(&self, problem: &mut Problem) {
         problem.reserve.clearance += self.clearance;
+        problem.reserve.sag += self.sag;
         problem.reserve.net_clearance += self.net_clearance;
         problem.reserve.separation += self.separation;
+        problem.reserve.greatest_separation += self.separation;
         problem.reserve.net_reach += self.net_reach;
         problem.reserve.skew += self.skew;
         let inset = Point::new(self.area, self.area);
@@ -77,8 +84,14 @@ impl Tightening {
             };
             let more = (-RESERVE_FACTOR * claim.margin / unit).clamp(LEAST_RESERVE, 0.1);
             match claim.id {
-                ClaimId::RobotClearance | ClaimId::RobotsMissObjects => next.clearance += more,
-                ClaimId::NetEnclosesNoObstacle => next.net_clearance += more,
+                ClaimId::RobotClearance | ClaimId::RobotsMissObjects => {
+                    next.clearance += more;
+                    next.sag += more.min(MOST_SAG);
+                }
+                ClaimId::NetEnclosesNoObstacle => {
+                    next.net_clearance += more;
+                    next.sag += more.min(MOST_SAG);
+                }
                 ClaimId::Separation => next.separation += more,
                 ClaimId::NetReach => next.net_reach += more,
                 ClaimId::Abreast => next.skew += more,

@@ -2,10 +2,10 @@
 
 use pairtrawl::files::{LoadedScene, read_scene};
 use pairtrawl::geometry::Pose;
-use pairtrawl::model::{Footprint, Object, Obstacle, Rehearsal, Warning};
+use pairtrawl::model::{ClaimId, Footprint, Object, Obstacle, Plan, Rehearsal, Warning};
 use pairtrawl::{
-    NetLength, Observer, OrderMethod, PlanError, PlanOptions, Planned, Planner, RehearsalMode,
-    Stage, plan,
+    Candidate, NetLength, Observer, OrderMethod, PlanError, PlanOptions, Planned, Planner,
+    RehearsalMode, Stage, check, plan,
 };
 use std::sync::atomic::{AtomicUsize, Ordering};
 use std::time::Duration;
@@ -303,4 +303,46 @@ fn a_course_longer_than_the_waypoints_reach_is_named_with_the_number_needed() {
         .find_map(|word| word.parse().ok())
         .expect("a number");
     assert!(named.abs_diff(needed) < needed / 5, "{named}, {needed}");
+}
+
+#[test]
+fn an_edited_time_law_is_refused_and_a_plan_without_one_is_read_linearly() {
+    let loaded = scene("witness-9");
+    let made = planned(&loaded, &quick()).plan;
+    let speed = |time_law: Option<&[f64]>| {
+        let candidate = Candidate {
+            net_length: made.net_length,
+            trajectory: &made.trajectory,
+            scene: Some(&made.scene),
+            overrides: &made.overrides,
+            time_law,
+        };
+        let certificate = check(&loaded.scene, &loaded.reference, &candidate);
+        let claim = certificate.claims.iter().find(|c| c.id == ClaimId::Speed);
+        (certificate.is_valid(), claim.unwrap().clone())
+    };
+    assert_eq!(speed(Some(&made.time_law)).1, made.certificate.claims[7]);
+    assert!(speed(Some(&made.time_law)).0 && speed(None).0);
+    let mut edited = made.time_law.clone();
+    edited[10] += 0.5;
+    let (valid, claim) = speed(Some(&edited));
+    assert!(
+        !valid && !claim.holds && claim.step == Some(10),
+        "{claim:?}"
+    );
+    assert!(claim.detail.contains("waypoint 10"), "{claim:?}");
+}
+
+#[test]
+fn more_waypoints_leave_the_run_time_as_it_is() {
+    let loaded = scene("witness-9");
+    let made = planned(&loaded, &quick()).plan;
+    let options = PlanOptions {
+        waypoints: Some(2 * made.trajectory.len()),
+        ..quick()
+    };
+    let fine = planned(&loaded, &options).plan;
+    let duration = |plan: &Plan| plan.time_law[plan.time_law.len() - 1];
+    let ratio = duration(&fine) / duration(&made);
+    assert!((ratio - 1.0).abs() < 0.05, "{ratio} times the run time");
 }

@@ -11,14 +11,12 @@ const NODES: [(f64, f64); 6] = [
     (0.966_234_757_101_576, 0.085_662_246_189_585_17),
 ];
 
-/// Below this part of the trajectory's longest chord the direction of a chord means nothing: no correction of it is tried.
-const SHORT: f64 = 2e-3;
 /// The next waypoint is met to this part of the longest chord.
 const MET: f64 = 2e-12;
 /// A waypoint that is missed by less than this part of the longest chord is met.
 const ROUNDING: f64 = 1e-11;
-/// The heading strays from its cubic by at most a sixteenth of this, rad: the rounding of a short chord's direction must not
-/// become a wild swing.
+/// The heading strays from its cubic by at most a sixteenth of this, rad: where a short chord would need more, its direction
+/// is rounding and it is not met.
 const GREATEST_BUMP: f64 = 2.0;
 
 /// One robot's way through one step of the plan, over w from 0 to 1: it rolls without slip from waypoint to waypoint.
@@ -95,10 +93,10 @@ impl RollingStep {
         let turn = end.heading - start.heading;
         let along = chord.dot(Point::unit(start.heading + 0.5 * turn));
         let mut bumps = [along - 0.5 * (ends.speed[0] + ends.speed[1]), 0.0];
-        let mut step = Self::with_bumps(start, turn, ends, bumps);
+        let plain = Self::with_bumps(start, turn, ends, bumps);
+        let mut step = plain;
         // Newton's method for the bumps (a, b): the end lies `chord` from the start.
-        let rounds = if chord.norm() > SHORT * unit { 8 } else { 0 };
-        for _ in 0..rounds {
+        for _ in 0..8 {
             let (mut miss, mut by_a, mut by_b) = (chord, Point::ZERO, Point::ZERO);
             step.integrate(1.0, |w, weight, forward| {
                 let (bump, speed) = (w * (1.0 - w), step.speed.at(w));
@@ -107,12 +105,16 @@ impl RollingStep {
                 by_b += forward.perp() * (weight * speed * bump * bump);
             });
             let determinant = by_a.cross(by_b);
-            if miss.norm() < MET * unit || determinant.abs() < MET * unit {
+            if miss.norm() <= MET * unit {
                 break;
             }
             bumps[0] += miss.cross(by_b) / determinant;
-            let b = bumps[1] + by_a.cross(miss) / determinant;
-            bumps[1] = b.clamp(-GREATEST_BUMP, GREATEST_BUMP);
+            bumps[1] += by_a.cross(miss) / determinant;
+            // Also what is not a number is no bump.
+            if !(bumps[1].abs() <= GREATEST_BUMP && bumps[0].is_finite()) {
+                step = plain;
+                break;
+            }
             step = Self::with_bumps(start, turn, ends, bumps);
         }
         let place = step.rolled(1.0);

@@ -62,8 +62,13 @@ pub struct Reserve {
     pub clearance: f64,
     /// Between the net's straight line and obstacles, m.
     pub net_clearance: f64,
-    /// Separation, both bounds, m.
+    /// From obstacles and objects even where what is wished for gives way, m: what a chord between waypoints comes nearer to
+    /// a corner that is a robot radius away than the waypoints do, with a little reserve.
+    pub sag: f64,
+    /// Least separation, m.
     pub separation: f64,
+    /// Greatest separation, m.
+    pub greatest_separation: f64,
     /// Net reach, m.
     pub net_reach: f64,
     /// Subtracted from max_skew, rad.
@@ -96,9 +101,11 @@ impl Problem {
             reserve: Reserve {
                 clearance: scene.planner.clearance,
                 net_clearance: scene.planner.clearance,
+                sag: 1.075 * scene.planner.max_step * scene.planner.max_step / (8.0 * robot.radius),
                 separation: 1e-3,
+                greatest_separation: 1e-6,
                 net_reach: 5e-4,
-                skew: 6e-3,
+                skew: 9e-3,
             },
             separation: SeparationRule::UShape,
             frozen: None,
@@ -169,11 +176,5 @@ impl Problem {
         };
         self.own.point[robot.index()].push(own);
         self
-    }
-
-    /// A chord between waypoints comes this much nearer to a corner that is a robot radius away than the waypoints do, with
-    /// a little reserve.
-    pub(crate) fn sag(&self) -> f64 {
-        1.075 * self.planner.max_step * self.planner.max_step / (8.0 * self.robot.radius)
     }
 }

@@ -26,7 +26,7 @@ impl Tier {
     pub fn reserve(self, problem: &Problem, margin: f64) -> f64 {
         match self {
             Self::Margin => margin,
-            Self::Claim => problem.sag().min(margin),
+            Self::Claim => problem.reserve.sag.min(margin),
         }
     }
 

@@ -107,8 +107,6 @@ impl Term<PAIR> for SeparationBelow {
 
 /// A rigid separation holds to this.
 const RIGID_TOLERANCE: f64 = 5e-3;
-/// Kept below the net length, so that rounding does not break the claim.
-const ROUNDING: f64 = 1e-6;
 
 /// The ratio at which the separation is held at a waypoint, if it is.
 #[inline]
@@ -176,7 +174,7 @@ impl Rule<PairAt, PAIR> for CloseEnough {
                 ratio,
             },
             None => SeparationBelow {
-                reserve: ROUNDING,
+                reserve: problem.reserve.greatest_separation,
                 ratio: 1.0,
             },
         }
