@@ -12,6 +12,7 @@ mod plan;
 mod planning;
 mod rehearse;
 mod run;
+mod schemas;
 mod values;
 
 pub use check::CheckArguments;
@@ -26,6 +27,7 @@ pub use plan::PlanArguments;
 pub use planning::{Order, PlanningArguments};
 pub use rehearse::RehearseArguments;
 pub use run::RunArguments;
+pub use schemas::SchemasArguments;
 
 use clap::{Parser, Subcommand};
 
@@ -81,6 +83,29 @@ pub enum Command {
     New(NewArguments),
     /// Print a completion script for a shell
     Completions(CompletionsArguments),
+    /// Write the JSON schemas of all files and of what commands print
+    #[command(hide = true)]
+    Schemas(SchemasArguments),
+}
+
+impl Command {
+    /// Its name on the command line.
+    pub fn name(&self) -> &'static str {
+        match self {
+            Self::Plan(_) => "plan",
+            Self::Check(_) => "check",
+            Self::Demo(_) => "demo",
+            Self::Rehearse(_) => "rehearse",
+            Self::Run(_) => "run",
+            Self::MonteCarlo(_) => "monte-carlo",
+            Self::Export(_) => "export",
+            Self::Length(_) => "length",
+            Self::Generate(_) => "generate",
+            Self::New(_) => "new",
+            Self::Completions(_) => "completions",
+            Self::Schemas(_) => "schemas",
+        }
+    }
 }
 
 #[cfg(test)]

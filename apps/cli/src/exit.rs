@@ -1,9 +1,6 @@
-//! How the program ends: its exit codes, and what it says when it could not do its job.
+//! The exit codes of the program.
 
-use serde_json::{Value, json};
-use std::fmt;
-
-/// The exit codes, the same for every command. `Done` is 0, and clap ends with 2 on a bad command line.
+/// The exit codes, the same for every command.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 #[repr(u8)]
 pub enum Exit {
@@ -49,60 +46,5 @@ impl Exit {
             Self::Files => "files",
             Self::Interrupted => "interrupted",
         }
-    }
-}
-
-/// Why a command could not do its job.
-#[derive(Clone, Debug)]
-pub struct Failure {
-    /// The exit code.
-    pub exit: Exit,
-    /// One clear message: file, field, value, bound.
-    pub message: String,
-    /// What to do about it.
-    pub remedy: Option<String>,
-    /// More for machines.
-    pub details: Value,
-}
-
-impl Failure {
-    /// A failure with a message alone.
-    pub fn new(exit: Exit, message: impl Into<String>) -> Self {
-        Self {
-            exit,
-            message: message.into(),
-            remedy: None,
-            details: Value::Null,
-        }
-    }
-
-    /// The same with a remedy.
-    pub fn with_remedy(self, remedy: impl Into<String>) -> Self {
-        Self {
-            remedy: Some(remedy.into()),
-            ..self
-        }
-    }
-
-    /// As an object for machines.
-    pub fn to_json(&self) -> Value {
-        let mut error = json!({ "kind": self.exit.name(), "message": self.message });
-        if let Some(remedy) = &self.remedy {
-            error["remedy"] = json!(remedy);
-        }
-        if !self.details.is_null() {
-            error["details"] = self.details.clone();
-        }
-        json!({ "ok": false, "exit_code": self.exit.code(), "error": error })
-    }
-}
-
-impl fmt::Display for Failure {
-    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        write!(f, "error: {}", self.message)?;
-        if let Some(remedy) = &self.remedy {
-            write!(f, "\n  help: {remedy}")?;
-        }
-        Ok(())
     }
 }

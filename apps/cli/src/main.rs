@@ -3,19 +3,26 @@
 mod arguments;
 mod commands;
 mod exit;
+mod failure;
 mod interrupt;
+mod objects;
 mod output;
+mod plan_text;
 mod progress;
-mod summary_text;
+mod results;
+mod schemas;
 mod trials;
 
 use arguments::{Arguments, Command};
 use clap::Parser;
+use clap::error::ErrorKind;
 use exit::Exit;
+use failure::Failure;
 
 fn main() {
-    let arguments = Arguments::parse();
-    output::report_panics(arguments.json);
+    let arguments = Arguments::try_parse().unwrap_or_else(|error| refuse(&error));
+    let command = arguments.command.name();
+    output::report_panics(command, arguments.json);
     interrupt::install();
     let ended = match &arguments.command {
         Command::Plan(plan) => commands::plan(plan),
@@ -29,7 +36,9 @@ fn main() {
         Command::Generate(generate) => commands::generate(generate),
         Command::New(new) => commands::new(new),
         Command::Completions(completions) => commands::completions(completions),
+        Command::Schemas(schemas) => commands::schemas(schemas),
     };
+    let ended = ended.map_err(|failure| failure.in_command(command));
     // A reader that went away (`| head`) is no fault; anything else that cannot be printed is.
     let exit = match (output::print(&ended, arguments.json), ended) {
         (Err(error), _) if error.kind() != std::io::ErrorKind::BrokenPipe => Exit::Files,
@@ -37,4 +46,21 @@ fn main() {
         (_, Err(failure)) => failure.exit,
     };
     std::process::exit(exit.code());
+}
+
+/// Ends the program on a command line that asks for help or is not understood; with `--json` the latter is an object too.
+fn refuse(error: &clap::Error) -> ! {
+    let asks = matches!(
+        error.kind(),
+        ErrorKind::DisplayHelp
+            | ErrorKind::DisplayVersion
+            | ErrorKind::DisplayHelpOnMissingArgumentOrSubcommand
+    );
+    if asks || !std::env::args_os().any(|argument| argument == "--json") {
+        error.exit();
+    }
+    let message = error.to_string();
+    let message = message.trim().trim_start_matches("error: ");
+    let _ = output::print(&Err(Failure::new(Exit::Usage, message)), true);
+    std::process::exit(Exit::Usage.code());
 }

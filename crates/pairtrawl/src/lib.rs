@@ -82,6 +82,7 @@ pub use judge::judge;
 pub use length::{LengthRange, length_curve};
 pub use observer::{Observer, Stage};
 pub use options::{CenterlineMethod, Method, NetLength, OrderMethod, PlanOptions, RehearsalMode};
+pub use pairtrawl_certificate as certificate;
 pub use pairtrawl_generate as generate;
 pub use pairtrawl_geometry as geometry;
 pub use pairtrawl_model as model;

@@ -9,7 +9,7 @@ use std::path::PathBuf;
   pairtrawl plan hall/scene.toml -o runs/1              write to runs/1
   pairtrawl plan hall/scene.toml --net-length 2.0       with a net of 2 m, whatever the scene says
   pairtrawl plan hall/scene.toml --net-length auto      let the planner choose the net
-  pairtrawl plan hall/scene.toml --json | jq .plan.cost
+  pairtrawl plan hall/scene.toml --json | jq .cost.total
 
 A plan is written only when every claim of its certificate holds. Progress goes to the terminal only.")]
 pub struct PlanArguments {

@@ -1,7 +1,7 @@
 use super::values::{parse_net_length, parse_seconds};
 use clap::{Args, ValueEnum};
 
-/// How to plan: the options that `plan` and `demo` share.
+/// The options that `plan` and `demo` share.
 #[derive(Clone, Debug, Args)]
 pub struct PlanningArguments {
     /// Length of the net in meters instead of the scene's, or `auto`: the planner chooses it

@@ -10,8 +10,8 @@ use std::path::PathBuf;
   pairtrawl run hall/scene.toml out/plan.json --object-mass 0.015:0.05 --trials 20 --seed 7
 
 A range LOW:HIGH is drawn from evenly in each trial; one number stands for itself. Writes execution.json, report.html,
-and run.mcap with metadata.yaml of the first trial: the folder is a rosbag2. Exit 7 when something was not gathered.
-Ctrl-C keeps the finished trials.")]
+and run.mcap with metadata.yaml of the first trial: the folder is a rosbag2. Exit 7 when something was not gathered, 6 when
+the plan cannot be proven (nothing is driven then, unless with --unproven). Ctrl-C keeps the finished trials.")]
 pub struct RunArguments {
     /// The scene, a TOML file
     #[arg(value_name = "SCENE", value_hint = ValueHint::FilePath)]
@@ -64,6 +64,10 @@ pub struct RunArguments {
     /// Age of poses when they reach the controllers, s
     #[arg(long, value_name = "LOW:HIGH", value_parser = parse_range)]
     pub delay: Option<[f64; 2]>,
+
+    /// Drive a plan even when it cannot be proven
+    #[arg(long)]
+    pub unproven: bool,
 
     /// Larger time steps: faster
     #[arg(long)]

@@ -1,14 +1,30 @@
+use super::with_scene;
 use crate::arguments::CheckArguments;
-use crate::exit::{Exit, Failure};
-use crate::output::{self, Done};
-use crate::summary_text::{claim_json, claim_text};
-use pairtrawl::files::{read_plan, read_scene};
+use crate::exit::Exit;
+use crate::failure::Failure;
+use crate::objects::ClaimObject;
+use crate::output::{Done, Report};
+use crate::plan_text::claim_text;
+use pairtrawl::files::{LoadedScene, read_plan};
 use pairtrawl::{Candidate, claim_summaries};
-use serde_json::json;
+use schemars::JsonSchema;
+use serde::Serialize;
+
+/// The verdict on a plan.
+#[derive(Serialize, JsonSchema)]
+pub struct CheckReport {
+    /// True when every claim holds.
+    valid: bool,
+    /// Every claim.
+    claims: Vec<ClaimObject>,
+}
 
 /// `pairtrawl check`: every claim of a plan, proven again or refused.
 pub fn check(arguments: &CheckArguments) -> Result<Done, Failure> {
-    let loaded = read_scene(&arguments.scene)?;
+    with_scene(&arguments.scene, &|loaded| check_in(loaded, arguments))
+}
+
+fn check_in(loaded: &LoadedScene, arguments: &CheckArguments) -> Result<Done, Failure> {
     let plan = read_plan(&arguments.plan)?;
     let trajectory = plan.trajectory(&loaded.scene);
     let candidate = Candidate {
@@ -19,30 +35,28 @@ pub fn check(arguments: &CheckArguments) -> Result<Done, Failure> {
         time_law: plan.time_law.as_deref(),
     };
     let certificate = pairtrawl::check(&loaded.scene, &loaded.reference, &candidate);
-    let claims = claim_summaries(&certificate, &trajectory.times());
+    let mut claims = claim_summaries(&certificate, &trajectory.times());
+    let about = CheckReport {
+        valid: certificate.is_valid(),
+        claims: claims.iter().map(ClaimObject::from).collect(),
+    };
 
-    let valid = certificate.is_valid();
     let failed = claims.iter().filter(|summary| !summary.claim.holds).count();
-    let mut text = String::new();
-    for claim in &claims {
-        text.push_str(&claim_text(claim));
-        text.push('\n');
-    }
-    text.push_str(&if valid {
-        format!("valid: all {} claims hold\n", claims.len())
+    let (exit, mut text) = if about.valid {
+        (
+            Exit::Done,
+            format!("valid: all {} claims hold\n", claims.len()),
+        )
     } else {
-        format!("INVALID: {failed} of {} claims fail\n", claims.len())
-    });
-    output::warnings(&mut text, &loaded.warnings);
-    let object = json!({
-        "command": "check",
-        "valid": valid,
-        "claims": claims.iter().map(claim_json).collect::<Vec<_>>(),
-        "warnings": loaded.warnings,
-    });
-    Ok(Done {
-        exit: if valid { Exit::Done } else { Exit::Invalid },
-        text,
-        object,
-    })
+        let text = format!("INVALID: {failed} of {} claims fail\n", claims.len());
+        (Exit::Invalid, text)
+    };
+    // What fails comes first.
+    claims.sort_by_key(|summary| summary.claim.holds);
+    for claim in &claims {
+        text.push_str(&format!("  {}\n", claim_text(claim)));
+    }
+    Report::new("check", exit, about)
+        .scene(&loaded.scene.name)
+        .done(exit, text, &loaded.warnings, &[])
 }

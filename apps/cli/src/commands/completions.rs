@@ -1,8 +1,19 @@
 use crate::arguments::{Arguments, CompletionsArguments};
-use crate::exit::{Exit, Failure};
-use crate::output::Done;
+use crate::exit::Exit;
+use crate::failure::Failure;
+use crate::output::{Done, Report};
 use clap::CommandFactory;
-use serde_json::json;
+use schemars::JsonSchema;
+use serde::Serialize;
+
+/// A completion script.
+#[derive(Serialize, JsonSchema)]
+pub struct CompletionsReport {
+    /// The shell that it is for.
+    shell: String,
+    /// The script.
+    script: String,
+}
 
 /// `pairtrawl completions`: the script for a shell.
 pub fn completions(arguments: &CompletionsArguments) -> Result<Done, Failure> {
@@ -13,12 +24,11 @@ pub fn completions(arguments: &CompletionsArguments) -> Result<Done, Failure> {
         "pairtrawl",
         &mut script,
     );
-    let text = String::from_utf8_lossy(&script).into_owned();
-    let object =
-        json!({ "command": "completions", "shell": arguments.shell.to_string(), "script": text });
-    Ok(Done {
-        exit: Exit::Done,
-        text,
-        object,
-    })
+    let script = String::from_utf8_lossy(&script).into_owned();
+    let text = script.clone();
+    let about = CompletionsReport {
+        shell: arguments.shell.to_string(),
+        script,
+    };
+    Report::new("completions", Exit::Done, about).done(Exit::Done, text, &[], &[])
 }

@@ -1,15 +1,19 @@
-use super::planning::list;
+use super::with_scene;
 use crate::arguments::ExportArguments;
-use crate::exit::{Exit, Failure};
+use crate::exit::Exit;
+use crate::failure::Failure;
 use crate::interrupt;
-use crate::output::{self, Done};
-use pairtrawl::files::{read_plan, read_scene, write_atomically};
+use crate::output::{Done, FilesAlone, Report};
+use pairtrawl::files::{LoadedScene, read_plan, write_atomically};
 use pairtrawl::simulation::export;
-use serde_json::json;
+use std::path::PathBuf;
 
 /// `pairtrawl export`: scene, robots, net and objects for other simulators.
 pub fn export(arguments: &ExportArguments) -> Result<Done, Failure> {
-    let loaded = read_scene(&arguments.scene)?;
+    with_scene(&arguments.scene, &|loaded| export_in(loaded, arguments))
+}
+
+fn export_in(loaded: &LoadedScene, arguments: &ExportArguments) -> Result<Done, Failure> {
     let file = read_plan(&arguments.plan)?;
     let scene = &loaded.scene;
     let trajectory = file.trajectory(scene);
@@ -37,18 +41,8 @@ pub fn export(arguments: &ExportArguments) -> Result<Done, Failure> {
             .iter()
             .try_for_each(|(path, text)| write_atomically(path, text.as_bytes()))
     })?;
-    let files: Vec<_> = contents.into_iter().map(|(path, _)| path).collect();
-    let mut text = String::new();
-    output::warnings(&mut text, &loaded.warnings);
-    text.push_str(&format!("wrote {}\n", list(&files)));
-    let object = json!({
-        "command": "export",
-        "files": files.iter().map(|file| file.display().to_string()).collect::<Vec<_>>(),
-        "warnings": loaded.warnings,
-    });
-    Ok(Done {
-        exit: Exit::Done,
-        text,
-        object,
-    })
+    let files: Vec<PathBuf> = contents.into_iter().map(|(path, _)| path).collect();
+    Report::new("export", Exit::Done, FilesAlone {})
+        .scene(&scene.name)
+        .done(Exit::Done, String::new(), &loaded.warnings, &files)
 }

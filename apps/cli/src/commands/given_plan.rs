@@ -1,9 +1,10 @@
 //! The plan that a command drives: read from a file, or made first.
 
-use crate::exit::Failure;
+use crate::exit::Exit;
+use crate::failure::{Details, Failure};
 use crate::progress::Progress;
 use pairtrawl::files::{LoadedScene, read_plan};
-use pairtrawl::model::Plan;
+use pairtrawl::model::{Claim, Plan};
 use pairtrawl::{PlanOptions, RehearsalMode};
 use std::path::Path;
 
@@ -23,14 +24,30 @@ pub fn given_plan(loaded: &LoadedScene, file: Option<&Path>) -> Result<Plan, Fai
     Ok(planned?.plan)
 }
 
-/// A warning when the plan that is driven cannot be proven.
+/// What is wrong with a plan that cannot be proven; `None`: every claim holds.
 pub fn unproven(plan: &Plan) -> Option<String> {
-    let failed: Vec<_> = plan
-        .certificate
-        .claims
-        .iter()
-        .filter(|claim| !claim.holds)
-        .map(|claim| claim.id.name())
-        .collect();
+    let failed: Vec<_> = failed(plan).map(|claim| claim.id.name()).collect();
     (!failed.is_empty()).then(|| format!("the plan cannot be proven: {} fails", failed.join(", ")))
+}
+
+/// Refuses a plan that cannot be proven.
+pub fn refuse_unproven(plan: &Plan) -> Result<(), Failure> {
+    let Some(message) = unproven(plan) else {
+        return Ok(());
+    };
+    let worst = failed(plan).min_by(|a, b| a.margin.total_cmp(&b.margin));
+    Err(Failure {
+        details: Details {
+            claim: worst.map(|claim| claim.id.name()),
+            step: worst.and_then(|claim| claim.step),
+            margin: worst.map(|claim| claim.margin),
+            ..Details::at(worst.and_then(|claim| claim.place))
+        },
+        ..Failure::new(Exit::Invalid, message)
+            .with_help("`pairtrawl check` shows where; --unproven drives it all the same")
+    })
+}
+
+fn failed(plan: &Plan) -> impl Iterator<Item = &Claim> {
+    plan.certificate.claims.iter().filter(|claim| !claim.holds)
 }

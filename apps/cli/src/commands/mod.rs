@@ -13,15 +13,32 @@ mod plan;
 mod planning;
 mod rehearse;
 mod run;
+mod schemas;
 
-pub use check::check;
-pub use completions::completions;
+pub use check::{CheckReport, check};
+pub use completions::{CompletionsReport, completions};
 pub use demo::demo;
 pub use export::export;
-pub use generate::generate;
-pub use length::length;
-pub use monte_carlo::monte_carlo;
+pub use generate::{GenerateReport, generate};
+pub use length::{LengthReport, length};
+pub use monte_carlo::{MonteCarloReport, monte_carlo};
 pub use new::new;
 pub use plan::plan;
-pub use rehearse::rehearse;
-pub use run::run;
+pub use planning::PlanReport;
+pub use rehearse::{RehearseReport, rehearse};
+pub use run::{RunReport, run};
+pub use schemas::schemas;
+
+use crate::failure::Failure;
+use crate::output::Done;
+use pairtrawl::files::{LoadedScene, read_scene};
+use std::path::Path;
+
+/// Reads a scene and works with it; what fails from then on is about this scene.
+fn with_scene(
+    path: &Path,
+    work: &dyn Fn(&LoadedScene) -> Result<Done, Failure>,
+) -> Result<Done, Failure> {
+    let loaded = read_scene(path)?;
+    work(&loaded).map_err(|failure| failure.about(&loaded.scene.name))
+}

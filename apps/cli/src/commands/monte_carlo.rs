@@ -1,22 +1,88 @@
 use super::given_plan::{given_plan, unproven};
-use super::planning::{create_folder, list};
+use super::with_scene;
 use crate::arguments::MonteCarloArguments;
-use crate::exit::{Exit, Failure};
+use crate::exit::Exit;
+use crate::failure::Failure;
 use crate::interrupt;
-use crate::output::{self, Done};
+use crate::output::{Done, Report, to_json};
+use crate::results::{Results, in_folder};
 use crate::trials::Trials;
-use pairtrawl::execute::{MonteCarlo, MonteCarloOptions};
-use pairtrawl::files::{read_scene, write_atomically};
-use serde_json::{Value, json};
+use pairtrawl::execute::{MonteCarlo, MonteCarloOptions, MonteCarloRow};
+use pairtrawl::files::LoadedScene;
+use pairtrawl::model::ControllerKind;
+use pairtrawl::model::numbers::{length, lengths, quantity};
+use schemars::JsonSchema;
+use serde::Serialize;
 use std::fmt::Write;
+
+/// Comparison of the control laws over many random plants.
+#[derive(Clone, Serialize, JsonSchema)]
+pub struct MonteCarloReport {
+    /// Name of the scene.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    scene: Option<String>,
+    /// Drives for each law.
+    runs: usize,
+    /// Seed of everything that is random.
+    seed: u64,
+    /// A drive succeeds when neither robot is ever farther than this from its path after the first second, m.
+    tolerance: f64,
+    /// True when it was stopped before all drives were finished.
+    interrupted: bool,
+    /// A row for each law that finished a drive.
+    rows: Vec<RowObject>,
+}
+
+/// What one law did.
+#[derive(Clone, Serialize, JsonSchema)]
+struct RowObject {
+    /// The law.
+    #[schemars(extend("enum" = ControllerKind::ALL.map(ControllerKind::name)))]
+    controller: &'static str,
+    /// Finished drives.
+    runs: usize,
+    /// Of these, how many stayed within the tolerance and reached the end.
+    successes: usize,
+    /// Of these, how many the supervisor stopped.
+    stopped: usize,
+    /// Root mean square of a drive's position error after the first second, m.
+    rms: QuantilesObject,
+    /// Greatest position error of a drive after the first second, m.
+    max: QuantilesObject,
+    /// Greatest torque of a wheel in any drive, N m.
+    max_torque: f64,
+}
+
+/// Quantiles over the drives.
+#[derive(Clone, Serialize, JsonSchema)]
+struct QuantilesObject {
+    /// 50 % of the drives have no more.
+    p50: f64,
+    /// 90 % of the drives have no more.
+    p90: f64,
+    /// 99 % of the drives have no more.
+    p99: f64,
+}
 
 /// `pairtrawl monte-carlo`: success rate and errors of the three laws over random plants.
 pub fn monte_carlo(arguments: &MonteCarloArguments) -> Result<Done, Failure> {
-    let loaded = read_scene(&arguments.scene)?;
-    let plan = given_plan(&loaded, arguments.plan.as_deref())?;
-    if let Some(folder) = &arguments.output {
-        create_folder(folder)?;
+    let work = |results: Option<&Results<'_>>| {
+        with_scene(&arguments.scene, &|loaded| {
+            monte_carlo_in(loaded, arguments, results)
+        })
+    };
+    match &arguments.output {
+        Some(folder) => in_folder(folder, &["monte-carlo.json"], |results| work(Some(results))),
+        None => work(None),
     }
+}
+
+fn monte_carlo_in(
+    loaded: &LoadedScene,
+    arguments: &MonteCarloArguments,
+    results: Option<&Results<'_>>,
+) -> Result<Done, Failure> {
+    let plan = given_plan(loaded, arguments.plan.as_deref())?;
     let options = MonteCarloOptions {
         runs: arguments.runs as usize,
         seed: arguments.seed,
@@ -28,91 +94,102 @@ pub fn monte_carlo(arguments: &MonteCarloArguments) -> Result<Done, Failure> {
         pairtrawl::execute::monte_carlo(&loaded.scene, &plan.trajectory, &options, &trials)
     });
     trials.finish();
-    let table = table.map_err(|error| Failure::new(Exit::BadInput, error.to_string()))?;
+    let mut table = table.map_err(|error| Failure::new(Exit::BadInput, error.to_string()))?;
+    // Quantiles of nothing are no numbers.
+    table.rows.retain(|row| row.runs > 0);
 
     let mut warnings = loaded.warnings.clone();
     warnings.extend(unproven(&plan));
-    let mut object = table_json(&table, &options);
-    object["scene"] = json!(loaded.scene.name);
-    let mut text = table_text(&table, &options);
-    output::warnings(&mut text, &warnings);
-    let mut files = Vec::new();
-    if let Some(folder) = &arguments.output {
-        let path = folder.join("monte-carlo.json");
-        interrupt::while_writing(|| write_atomically(&path, format!("{object}\n").as_bytes()))?;
-        files.push(path);
-        let _ = writeln!(text, "wrote {}", list(&files));
-    }
-    object["command"] = json!("monte-carlo");
-    object["warnings"] = json!(warnings);
-    object["files"] = files
-        .iter()
-        .map(|file| file.display().to_string())
-        .collect();
+    let scene = &loaded.scene.name;
+    let about = report(&table, &options);
+    let files = match results {
+        Some(results) => {
+            let file = MonteCarloReport {
+                scene: Some(scene.clone()),
+                ..about.clone()
+            };
+            results.write(&[("monte-carlo.json", format!("{}\n", to_json(&file)?))])?
+        }
+        None => Vec::new(),
+    };
     let exit = if table.interrupted {
         Exit::Interrupted
     } else {
         Exit::Done
     };
-    Ok(Done { exit, text, object })
+    Report::new("monte-carlo", exit, about).scene(scene).done(
+        exit,
+        table_text(&table, &options),
+        &warnings,
+        &files,
+    )
 }
 
 fn table_text(table: &MonteCarlo, options: &MonteCarloOptions) -> String {
     let mut text = String::new();
     let _ = writeln!(
         text,
-        "{} runs for each law, success within {:.2} m{}",
-        options.runs,
-        options.tolerance,
+        "{}{} runs for each law, success within {}",
         if table.interrupted {
-            " (INTERRUPTED)"
+            "INTERRUPTED: "
         } else {
             ""
-        }
+        },
+        options.runs,
+        length(options.tolerance),
     );
+    if table.rows.is_empty() {
+        let _ = writeln!(text, "  no run was finished");
+        return text;
+    }
     let _ = writeln!(
         text,
-        "  {:<12} {:>8} {:>9} {:>8}   {:<24}   {:<24} {:>10}",
+        "  {:<12} {:>8} {:>9} {:>8}   {:<26}   {:<26} {:>12}",
         "law",
         "runs",
         "success",
         "stopped",
-        "rms error p50/90/99 m",
-        "max error p50/90/99 m",
-        "torque N m"
+        "rms error p50 / 90 / 99 %",
+        "max error p50 / 90 / 99 %",
+        "most torque"
     );
     for row in &table.rows {
-        let triple = |q: [f64; 3]| format!("{:.4} {:.4} {:.4}", q[0], q[1], q[2]);
-        let rate = 100.0 * row.successes as f64 / row.runs.max(1) as f64;
+        let rate = 100.0 * row.successes as f64 / row.runs as f64;
         let _ = writeln!(
             text,
-            "  {:<12} {:>8} {:>7.1} % {:>8}   {:<24}   {:<24} {:>10.2}",
+            "  {:<12} {:>8} {:>7.1} % {:>8}   {:<26}   {:<26} {:>12}",
             row.controller.name(),
             row.runs,
             rate,
             row.stopped,
-            triple(row.rms),
-            triple(row.max),
-            row.max_torque
+            lengths(&row.rms),
+            lengths(&row.max),
+            quantity(row.max_torque, "N m")
         );
     }
     text
 }
 
-fn table_json(table: &MonteCarlo, options: &MonteCarloOptions) -> Value {
-    json!({
-        "runs": options.runs,
-        "seed": options.seed,
-        "tolerance": options.tolerance,
-        "interrupted": table.interrupted,
-        "rows": table.rows.iter().map(|row| json!({
-            "controller": row.controller.name(),
-            "runs": row.runs,
-            "successes": row.successes,
-            "stopped": row.stopped,
-            "rms": { "p50": row.rms[0], "p90": row.rms[1], "p99": row.rms[2] },
-            "max": { "p50": row.max[0], "p90": row.max[1], "p99": row.max[2] },
-            "max_torque": row.max_torque,
-        })).collect::<Vec<_>>(),
-    })
+fn report(table: &MonteCarlo, options: &MonteCarloOptions) -> MonteCarloReport {
+    MonteCarloReport {
+        scene: None,
+        runs: options.runs,
+        seed: options.seed,
+        tolerance: options.tolerance,
+        interrupted: table.interrupted,
+        rows: table.rows.iter().map(row).collect(),
+    }
+}
+
+fn row(row: &MonteCarloRow) -> RowObject {
+    let quantiles = |[p50, p90, p99]: [f64; 3]| QuantilesObject { p50, p90, p99 };
+    RowObject {
+        controller: row.controller.name(),
+        runs: row.runs,
+        successes: row.successes,
+        stopped: row.stopped,
+        rms: quantiles(row.rms),
+        max: quantiles(row.max),
+        max_torque: row.max_torque,
+    }
 }

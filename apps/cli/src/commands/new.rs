@@ -1,10 +1,8 @@
-use super::planning::create_folder;
 use crate::arguments::NewArguments;
-use crate::exit::{Exit, Failure};
-use crate::interrupt;
-use crate::output::Done;
-use pairtrawl::files::write_atomically;
-use serde_json::json;
+use crate::exit::Exit;
+use crate::failure::Failure;
+use crate::output::{Done, FilesAlone, Report};
+use crate::results::in_folder;
 
 /// The commented scene that `new` writes.
 pub const TEMPLATE: &str = include_str!("new_scene.toml");
@@ -19,19 +17,15 @@ pub fn new(arguments: &NewArguments) -> Result<Done, Failure> {
             Exit::Files,
             format!("{} exists and is not overwritten", path.display()),
         )
-        .with_remedy("give another folder, or remove that file"));
+        .with_help("give another folder, or remove that file"));
     }
-    create_folder(directory)?;
-    interrupt::while_writing(|| write_atomically(&path, TEMPLATE.as_bytes()))?;
-    let text = format!(
-        "wrote {scene}\n\nnext: pairtrawl plan {scene} -o {out}\n",
-        scene = path.display(),
-        out = directory.join("out").display()
-    );
-    let object = json!({ "command": "new", "files": [path.display().to_string()] });
-    Ok(Done {
-        exit: Exit::Done,
-        text,
-        object,
+    in_folder(directory, &[], |results| {
+        let files = results.write(&[("scene.toml", TEMPLATE)])?;
+        let text = format!(
+            "next: pairtrawl plan {} -o {}\n\n",
+            path.display(),
+            directory.join("out").display()
+        );
+        Report::new("new", Exit::Done, FilesAlone {}).done(Exit::Done, text, &[], &files)
     })
 }

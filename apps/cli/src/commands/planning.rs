@@ -1,39 +1,117 @@
 //! What `plan` and `demo` share: planning with progress, then the files and the summary.
 
 use crate::arguments::PlanningArguments;
-use crate::exit::{Exit, Failure};
-use crate::interrupt;
-use crate::output::{self, Done};
+use crate::exit::Exit;
+use crate::failure::Failure;
+use crate::objects::{ClaimObject, CostObject, RehearsalObject};
+use crate::output::{Done, Report, finite};
+use crate::plan_text::plan_text;
 use crate::progress::Progress;
-use crate::summary_text;
-use pairtrawl::PlanError;
+use crate::results::{Results, in_folder};
 use pairtrawl::files::{self, LoadedScene};
-use pairtrawl::model::{Plan, Scene, Side, Summary, Warning};
+use pairtrawl::model::{Plan, Scene, Side, SolverStatus, Summary, Warning};
 use pairtrawl::reference::Reference;
-use serde_json::json;
+use schemars::JsonSchema;
+use serde::Serialize;
+use std::collections::BTreeMap;
 use std::path::{Path, PathBuf};
 
-/// Plans a scene and writes everything about the plan to a folder.
+/// The files of a plan, the plan itself first: where it stands, everything stands.
+const FILES: &[&str] = &[
+    "plan.json",
+    "report.html",
+    "plan.svg",
+    "plan.csv",
+    "left.tum",
+    "right.tum",
+];
+
+/// A plan in numbers.
+#[derive(Serialize, JsonSchema)]
+pub struct PlanReport {
+    /// Length of the net, d_max, m.
+    net_length: f64,
+    /// True when the planner chose it.
+    net_length_chosen: bool,
+    /// Number of waypoints N.
+    waypoints: usize,
+    /// Time from one waypoint to the next, s.
+    step_time: f64,
+    /// Length of the left robot's path, m.
+    left_length: f64,
+    /// Length of the right robot's path, m.
+    right_length: f64,
+    /// Time to drive, s.
+    duration: f64,
+    /// The paper's J.
+    cost: CostObject,
+    /// The proof, claim by claim.
+    claims: Vec<ClaimObject>,
+    /// What the simulated drive said.
+    rehearsal: RehearsalObject,
+    /// How the optimization ended.
+    solver: SolverObject,
+    /// Time of each stage of planning, s.
+    seconds: BTreeMap<String, f64>,
+}
+
+/// How the optimization ended.
+#[derive(Serialize, JsonSchema)]
+struct SolverObject {
+    /// Its status.
+    #[schemars(extend("enum" = SolverStatus::ALL.map(SolverStatus::name)))]
+    status: &'static str,
+    /// Iterations of the last optimization.
+    iterations: usize,
+    /// Scaled error of the optimality conditions; null when it is not known.
+    kkt_error: Option<f64>,
+}
+
+impl From<&Summary> for PlanReport {
+    fn from(summary: &Summary) -> Self {
+        Self {
+            net_length: summary.net_length,
+            net_length_chosen: summary.net_length_chosen,
+            waypoints: summary.trajectory.len(),
+            step_time: summary.trajectory.step_time,
+            left_length: summary.left_length,
+            right_length: summary.right_length,
+            duration: summary.duration,
+            cost: CostObject::from(&summary.cost),
+            claims: summary.claims.iter().map(ClaimObject::from).collect(),
+            rehearsal: RehearsalObject::from(&summary.rehearsal),
+            solver: SolverObject {
+                status: summary.solver.status.name(),
+                iterations: summary.solver.iterations,
+                kkt_error: finite(summary.solver.kkt_error),
+            },
+            seconds: (summary.stages.iter())
+                .map(|stage| (stage.name.clone(), stage.seconds))
+                .collect(),
+        }
+    }
+}
+
+/// What is done with a scene once it is there.
+type WithScene<'a> = &'a dyn Fn(&LoadedScene) -> Result<Done, Failure>;
+
+/// Plans the scene that `scene` provides and writes everything about the plan to a folder.
 pub fn plan_into(
-    command: &str,
-    loaded: &LoadedScene,
+    command: &'static str,
     planning: &PlanningArguments,
     folder: &Path,
+    scene: impl FnOnce(WithScene<'_>) -> Result<Done, Failure>,
 ) -> Result<Done, Failure> {
-    let created = create_folder(folder)?;
-    let written = plan_and_write(command, loaded, planning, folder);
-    if written.is_err() && created {
-        // Only succeeds while it is empty; a folder that stays behind does no harm.
-        let _ = std::fs::remove_dir(folder);
-    }
-    written
+    in_folder(folder, FILES, |results| {
+        scene(&|loaded| plan_and_write(command, loaded, planning, results))
+    })
 }
 
 fn plan_and_write(
-    command: &str,
+    command: &'static str,
     loaded: &LoadedScene,
     planning: &PlanningArguments,
-    folder: &Path,
+    results: &Results<'_>,
 ) -> Result<Done, Failure> {
     let mut progress = Progress::new();
     let planned = pairtrawl::plan(
@@ -43,7 +121,7 @@ fn plan_and_write(
         &mut progress,
     );
     progress.finish();
-    let mut planned = planned.map_err(Failure::from)?;
+    let mut planned = planned?;
     planned
         .plan
         .warnings
@@ -54,45 +132,20 @@ fn plan_and_write(
         &planned.stages,
         planned.rehearsal.as_ref(),
     );
-    let files = interrupt::while_writing(|| write(folder, &loaded.scene, &planned.plan, &summary))?;
-
-    let mut text = summary_text::plan_text(&summary);
-    output::warnings(&mut text, &summary.warnings);
-    text.push_str(&format!("wrote {}\n", list(&files)));
-    let mut object = summary_text::plan_json(&summary);
-    object["command"] = json!(command);
-    object["files"] = files
-        .iter()
-        .map(|file| file.display().to_string())
-        .collect();
-    Ok(Done {
-        exit: Exit::Done,
-        text,
-        object,
-    })
+    let warnings: Vec<String> = summary.warnings.iter().map(ToString::to_string).collect();
+    let files = write(results, &loaded.scene, &planned.plan, &summary)?;
+    Report::new(command, Exit::Done, PlanReport::from(&summary))
+        .scene(&summary.title)
+        .done(Exit::Done, plan_text(&summary), &warnings, &files)
 }
 
-/// Makes sure that the folder is there; true when it was not.
-pub fn create_folder(folder: &Path) -> Result<bool, Failure> {
-    let missing = !folder.exists();
-    std::fs::create_dir_all(folder).map_err(|error| {
-        Failure::new(
-            Exit::Files,
-            format!("cannot create the folder {}: {error}", folder.display()),
-        )
-        .with_remedy("give a folder that you may write to, with -o")
-    })?;
-    Ok(missing)
-}
-
-/// Writes the plan last: where it stands, everything stands.
+/// Writes the plan last.
 fn write(
-    folder: &Path,
+    results: &Results<'_>,
     scene: &Scene,
     plan: &Plan,
     summary: &Summary,
 ) -> Result<Vec<PathBuf>, Failure> {
-    let file = |name: &str| folder.join(name);
     let plan_json = files::plan_json(plan).map_err(|error| {
         Failure::new(
             Exit::Internal,
@@ -105,69 +158,12 @@ fn write(
             format!("the plan cannot be driven: {error}"),
         )
     })?;
-    let texts = [
+    results.write(&[
         ("plan.csv", files::csv_text(&driven)),
         ("left.tum", files::tum_text(&driven, Side::Left)),
         ("right.tum", files::tum_text(&driven, Side::Right)),
         ("plan.svg", pairtrawl::report::plan_svg(summary)),
         ("report.html", pairtrawl::report::report_html(summary)),
         ("plan.json", plan_json),
-    ];
-    for (name, text) in &texts {
-        files::write_atomically(&file(name), text.as_bytes())?;
-    }
-    Ok(texts.iter().map(|(name, _)| file(name)).collect())
-}
-
-pub fn list(files: &[PathBuf]) -> String {
-    files
-        .iter()
-        .map(|file| file.display().to_string())
-        .collect::<Vec<_>>()
-        .join(", ")
-}
-
-impl From<PlanError> for Failure {
-    fn from(error: PlanError) -> Self {
-        let exit = match &error {
-            PlanError::BadInput { .. } => Exit::BadInput,
-            PlanError::Infeasible { .. } => Exit::Infeasible,
-            PlanError::NoPlan { .. } | PlanError::TimeLimit { .. } => Exit::NoPlan,
-            PlanError::Interrupted => Exit::Interrupted,
-        };
-        let details = match &error {
-            PlanError::NoPlan(missing) => json!({
-                "claim": missing.claim().map(|claim| claim.id.name()),
-                "step": missing.claim().and_then(|claim| claim.step),
-                "where": missing.place().map(<[f64; 2]>::from),
-                "margin": missing.claim().map(|claim| claim.margin),
-            }),
-            PlanError::TimeLimit { limit, stage } => {
-                json!({ "limit": limit, "stage": stage.name() })
-            }
-            _ => serde_json::Value::Null,
-        };
-        let remedy = error.remedy();
-        Self {
-            exit,
-            message: error.to_string(),
-            remedy,
-            details,
-        }
-    }
-}
-
-impl From<files::FileError> for Failure {
-    fn from(error: files::FileError) -> Self {
-        let exit = if error.is_from_system() {
-            Exit::Files
-        } else {
-            Exit::BadInput
-        };
-        let details = json!({ "file": error.path.display().to_string(), "line": error.line });
-        Self {
-            details,
-            ..Self::new(exit, error.to_string())
-        }
-    }
+    ])
 }

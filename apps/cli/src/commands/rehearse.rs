@@ -1,23 +1,72 @@
-use super::planning::{create_folder, list};
+use super::with_scene;
 use crate::arguments::RehearseArguments;
-use crate::exit::{Exit, Failure};
-use crate::interrupt;
-use crate::output::{self, Done};
+use crate::exit::Exit;
+use crate::failure::Failure;
+use crate::objects::RehearsalObject;
+use crate::output::{Done, Report};
+use crate::plan_text::rehearsal_text;
 use crate::progress::Progress;
-use crate::summary_text::{rehearsal_json, rehearsal_text};
-use pairtrawl::files::{read_plan, read_scene, write_atomically};
+use crate::results::{Results, in_folder};
+use pairtrawl::files::{LoadedScene, read_plan};
+use pairtrawl::model::numbers::{duration, length, place, quantity};
 use pairtrawl::model::{Rehearsal, RehearsalRecord};
 use pairtrawl::simulation::Options;
-use serde_json::{Value, json};
+use schemars::JsonSchema;
+use serde::Serialize;
 use std::fmt::Write;
+
+/// What happened when a plan was driven in physics. Pairs are the left and the right robot's values.
+#[derive(Serialize, JsonSchema)]
+pub struct RehearseReport {
+    /// The verdict.
+    rehearsal: RehearsalObject,
+    /// For each object of the scene: true when it lies in the net at the end.
+    gathered: Vec<bool>,
+    /// Greatest tension at the hitches, N.
+    max_tension: [f64; 2],
+    /// Greatest distance from the plan, m.
+    max_deviation: [f64; 2],
+    /// Mean force that drives the robots, N.
+    mean_drive_force: [f64; 2],
+    /// Simulated time, s.
+    duration: f64,
+    /// What should not have happened and did, in order of time.
+    events: Vec<EventObject>,
+    /// True when every claim of the plan's certificate holds.
+    certificate_valid: bool,
+}
+
+/// Something that should not have happened.
+#[derive(Serialize, JsonSchema)]
+struct EventObject {
+    /// What, for people.
+    event: String,
+    /// When, s.
+    time: f64,
+    /// Where, m.
+    #[serde(rename = "where")]
+    place: [f64; 2],
+}
 
 /// `pairtrawl rehearse`: what happens when a plan is driven in physics.
 pub fn rehearse(arguments: &RehearseArguments) -> Result<Done, Failure> {
-    let loaded = read_scene(&arguments.scene)?;
-    let file = read_plan(&arguments.plan)?;
-    if let Some(folder) = &arguments.output {
-        create_folder(folder)?;
+    let work = |results: Option<&Results<'_>>| {
+        with_scene(&arguments.scene, &|loaded| {
+            rehearse_in(loaded, arguments, results)
+        })
+    };
+    match &arguments.output {
+        Some(folder) => in_folder(folder, &[], |results| work(Some(results))),
+        None => work(None),
     }
+}
+
+fn rehearse_in(
+    loaded: &LoadedScene,
+    arguments: &RehearseArguments,
+    results: Option<&Results<'_>>,
+) -> Result<Done, Failure> {
+    let file = read_plan(&arguments.plan)?;
     let options = if arguments.quick {
         Options::quick()
     } else {
@@ -34,14 +83,13 @@ pub fn rehearse(arguments: &RehearseArguments) -> Result<Done, Failure> {
     })?;
     let record = &rehearsed.record;
 
-    let mut files = Vec::new();
-    if let Some(folder) = &arguments.output {
-        let summary = pairtrawl::summarize(&loaded.scene, &rehearsed.plan, &[], Some(record));
-        let path = folder.join("report.html");
-        let page = pairtrawl::report::report_html(&summary);
-        interrupt::while_writing(|| write_atomically(&path, page.as_bytes()))?;
-        files.push(path);
-    }
+    let files = match results {
+        Some(results) => {
+            let summary = pairtrawl::summarize(&loaded.scene, &rehearsed.plan, &[], Some(record));
+            results.write(&[("report.html", pairtrawl::report::report_html(&summary))])?
+        }
+        None => Vec::new(),
+    };
 
     let valid = rehearsed.plan.certificate.is_valid();
     let mut text = record_text(&loaded.scene.name, record);
@@ -53,81 +101,77 @@ pub fn rehearse(arguments: &RehearseArguments) -> Result<Done, Failure> {
     let _ = writeln!(text, "  proven     {proven}");
     let mut warnings = loaded.warnings.clone();
     warnings.extend(record.warnings.iter().cloned());
-    output::warnings(&mut text, &warnings);
-    if !files.is_empty() {
-        let _ = writeln!(text, "wrote {}", list(&files));
-    }
-    let mut object = record_json(record);
-    object["command"] = json!("rehearse");
-    object["scene"] = json!(loaded.scene.name);
-    object["certificate_valid"] = json!(valid);
-    object["warnings"] = json!(warnings);
-    object["files"] = files
-        .iter()
-        .map(|file| file.display().to_string())
-        .collect();
     let exit = if record.verdict == Rehearsal::Passed {
         Exit::Done
     } else {
         Exit::NotGathered
     };
-    Ok(Done { exit, text, object })
+    Report::new("rehearse", exit, report(record, valid))
+        .scene(&loaded.scene.name)
+        .done(exit, text, &warnings, &files)
 }
 
 fn record_text(name: &str, record: &RehearsalRecord) -> String {
     let mut text = String::new();
     let home = record.gathered.iter().filter(|gathered| **gathered).count();
-    let [left, right] = record.max_tension;
-    let [left_off, right_off] = record.max_deviation;
-    let [left_force, right_force] = record.mean_drive_force;
+    let both = |[left, right]: [f64; 2], say: &dyn Fn(f64) -> String| {
+        format!("{} left, {} right", say(left), say(right))
+    };
+    let newtons = |force: f64| quantity(force, "N");
+    let lines = [
+        (
+            "gathered",
+            format!("{home} of {} objects", record.gathered.len()),
+        ),
+        (
+            "tension",
+            format!("at most {}", both(record.max_tension, &newtons)),
+        ),
+        (
+            "drive",
+            format!("{} on average", both(record.mean_drive_force, &newtons)),
+        ),
+        (
+            "off path",
+            format!("at most {}", both(record.max_deviation, &length)),
+        ),
+        ("simulated", duration(record.duration)),
+    ];
     let _ = writeln!(
         text,
         "{name}: rehearsal {}",
         rehearsal_text(&record.verdict)
     );
-    let _ = writeln!(
-        text,
-        "  gathered   {home} of {} objects",
-        record.gathered.len()
-    );
-    let _ = writeln!(
-        text,
-        "  tension    at most {left:.2} N left, {right:.2} N right"
-    );
-    let _ = writeln!(
-        text,
-        "  drive      {left_force:.2} N left, {right_force:.2} N right on average"
-    );
-    let _ = writeln!(
-        text,
-        "  off path   at most {left_off:.4} m left, {right_off:.4} m right"
-    );
-    let _ = writeln!(text, "  simulated  {:.1} s", record.duration);
+    for (name, value) in lines {
+        let _ = writeln!(text, "  {name:<10} {value}");
+    }
     for event in &record.events {
-        let (time, place) = (event.time, event.place);
         let _ = writeln!(
             text,
-            "  {time:>7.2} s  at ({:.3}, {:.3})  {}",
-            place.x,
-            place.y,
+            "  after {}, at {}: {}",
+            duration(event.time),
+            place(event.place),
             event.kind.describe()
         );
     }
     text
 }
 
-fn record_json(record: &RehearsalRecord) -> Value {
-    json!({
-        "rehearsal": rehearsal_json(&record.verdict),
-        "gathered": record.gathered,
-        "max_tension": record.max_tension,
-        "max_deviation": record.max_deviation,
-        "mean_drive_force": record.mean_drive_force,
-        "duration": record.duration,
-        "events": record.events.iter().map(|event| json!({
-            "event": event.kind.describe(),
-            "time": event.time,
-            "where": <[f64; 2]>::from(event.place),
-        })).collect::<Vec<_>>(),
-    })
+fn report(record: &RehearsalRecord, certificate_valid: bool) -> RehearseReport {
+    RehearseReport {
+        rehearsal: RehearsalObject::from(&record.verdict),
+        gathered: record.gathered.clone(),
+        max_tension: record.max_tension,
+        max_deviation: record.max_deviation,
+        mean_drive_force: record.mean_drive_force,
+        duration: record.duration,
+        events: (record.events.iter())
+            .map(|event| EventObject {
+                event: event.kind.describe(),
+                time: event.time,
+                place: event.place.into(),
+            })
+            .collect(),
+        certificate_valid,
+    }
 }

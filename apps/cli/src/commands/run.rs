@@ -1,24 +1,59 @@
-use super::given_plan::{given_plan, unproven};
-use super::planning::{create_folder, list};
+use super::given_plan::{given_plan, refuse_unproven, unproven};
+use super::with_scene;
 use crate::arguments::RunArguments;
-use crate::exit::{Exit, Failure};
+use crate::exit::Exit;
+use crate::failure::Failure;
 use crate::interrupt;
-use crate::output::{self, Done};
+use crate::output::{Done, Report};
+use crate::results::{Results, in_folder};
 use crate::trials::Trials;
 use pairtrawl::execute::{ExecutionOptions, recording};
-use pairtrawl::files::{execution_json, read_scene, write_atomically};
+use pairtrawl::files::{ExecutionFigures, LoadedScene, execution_json};
+use pairtrawl::model::numbers::{cost, duration, lengths, quantity};
 use pairtrawl::model::{Execution, Trial};
 use pairtrawl::report::mcap::RECORDING_NAME;
-use serde_json::{Value, json};
+use schemars::JsonSchema;
+use serde::Serialize;
 use std::fmt::Write;
+
+/// The files of a run, `execution.json` first.
+const FILES: &[&str] = &[
+    "execution.json",
+    "report.html",
+    RECORDING_NAME,
+    "metadata.yaml",
+];
+
+/// What came of the drives.
+#[derive(Serialize, JsonSchema)]
+pub struct RunReport {
+    /// The control law.
+    controller: &'static str,
+    /// True when it was stopped before all drives were finished.
+    interrupted: bool,
+    /// What came of all finished drives together.
+    summary: ExecutionFigures,
+}
 
 /// `pairtrawl run`: controllers drive a plan in full physics.
 pub fn run(arguments: &RunArguments) -> Result<Done, Failure> {
-    let loaded = read_scene(&arguments.scene)?;
+    in_folder(&arguments.output, FILES, |results| {
+        with_scene(&arguments.scene, &|loaded| {
+            run_in(loaded, arguments, results)
+        })
+    })
+}
+
+fn run_in(
+    loaded: &LoadedScene,
+    arguments: &RunArguments,
+    results: &Results<'_>,
+) -> Result<Done, Failure> {
     let scene = &loaded.scene;
-    let plan = given_plan(&loaded, arguments.plan.as_deref())?;
-    let folder = &arguments.output;
-    create_folder(folder)?;
+    let plan = given_plan(loaded, arguments.plan.as_deref())?;
+    if !arguments.unproven {
+        refuse_unproven(&plan)?;
+    }
     let options = options(arguments);
     let trials = Trials::new(options.trials, "driving");
     let execution =
@@ -29,18 +64,10 @@ pub fn run(arguments: &RunArguments) -> Result<Done, Failure> {
     let mut summary = pairtrawl::summarize(scene, &plan, &[], None);
     summary.execution = Some(pairtrawl::summarize_execution(scene, &execution));
     let file = execution_json(&execution, &options, &loaded.reference);
-    let object: Value = serde_json::from_str(&file).map_err(|error| {
-        Failure::new(
-            Exit::Internal,
-            format!("execution.json is no JSON: {error}"),
-        )
-    })?;
+    let page = pairtrawl::report::report_html(&summary);
     let mut contents = vec![
+        ("report.html", page.into_bytes()),
         ("execution.json", file.into_bytes()),
-        (
-            "report.html",
-            pairtrawl::report::report_html(&summary).into_bytes(),
-        ),
     ];
     if let Some(first) = execution.trials.first() {
         let bag = recording(
@@ -54,35 +81,27 @@ pub fn run(arguments: &RunArguments) -> Result<Done, Failure> {
         contents.push((RECORDING_NAME, bag.mcap));
         contents.push(("metadata.yaml", bag.metadata.into_bytes()));
     }
-    let files: Vec<_> = contents.iter().map(|(name, _)| folder.join(name)).collect();
-    interrupt::while_writing(|| {
-        files
-            .iter()
-            .zip(&contents)
-            .try_for_each(|(path, (_, bytes))| write_atomically(path, bytes))
-    })?;
+    let files = results.write(&contents)?;
 
     let mut warnings = loaded.warnings.clone();
     warnings.extend(unproven(&plan));
     warnings.extend(execution.warnings.iter().cloned());
-    let mut text = execution_text(&scene.name, &execution);
-    output::warnings(&mut text, &warnings);
-    let _ = writeln!(text, "wrote {}", list(&files));
-    let object = json!({
-        "command": "run",
-        "scene": scene.name,
-        "controller": execution.controller.name(),
-        "interrupted": execution.interrupted,
-        "summary": object["summary"],
-        "warnings": warnings,
-        "files": files.iter().map(|file| file.display().to_string()).collect::<Value>(),
-    });
     let exit = match &execution {
         stopped if stopped.interrupted => Exit::Interrupted,
         complete if complete.gathered_everything() => Exit::Done,
         _ => Exit::NotGathered,
     };
-    Ok(Done { exit, text, object })
+    let about = RunReport {
+        controller: execution.controller.name(),
+        interrupted: execution.interrupted,
+        summary: ExecutionFigures::from(&execution),
+    };
+    Report::new("run", exit, about).scene(&scene.name).done(
+        exit,
+        execution_text(&scene.name, &execution),
+        &warnings,
+        &files,
+    )
 }
 
 fn options(arguments: &RunArguments) -> ExecutionOptions {
@@ -114,28 +133,35 @@ fn options(arguments: &RunArguments) -> ExecutionOptions {
 
 fn execution_text(name: &str, execution: &Execution) -> String {
     let mut text = String::new();
-    let complete = execution
-        .trials
-        .iter()
-        .filter(|trial| trial.gathered_everything())
-        .count();
+    let trials = &execution.trials;
+    let complete = trials.iter().filter(|t| t.gathered_everything()).count();
+    let verdict = match execution {
+        stopped if stopped.interrupted => "INTERRUPTED: ",
+        complete if complete.gathered_everything() => "",
+        _ => "FAILED: ",
+    };
     let _ = writeln!(
         text,
-        "{name}: {} gathered everything in {complete} of {} trials{}",
+        "{name}: {verdict}{} gathered everything in {complete} of {} trials",
         execution.controller.name(),
-        execution.trials.len(),
-        if execution.interrupted {
-            " (INTERRUPTED)"
-        } else {
-            ""
-        }
+        trials.len(),
+    );
+    if trials.is_empty() {
+        return text;
+    }
+    let _ = writeln!(
+        text,
+        "  position errors are those of the worse robot, rms / greatest: over the whole drive, and settled, after its first second"
     );
     let _ = writeln!(
         text,
-        "  {:>5} {:>9} {:>12} {:>12} {:>11} {:>8}  first event",
-        "trial", "gathered", "rms error m", "max error m", "mean drag N", "J"
+        "  {:>5} {:>9} {:>18} {:>18} {:>10} {:>9}  first event",
+        "trial", "gathered", "whole drive", "settled", "mean drag", "J"
     );
-    for trial in &execution.trials {
+    // What went wrong comes first.
+    let mut ordered: Vec<&Trial> = trials.iter().collect();
+    ordered.sort_by_key(|trial| trial.gathered_everything());
+    for trial in ordered {
         let _ = writeln!(text, "{}", trial_text(trial));
     }
     text
@@ -145,16 +171,19 @@ fn trial_text(trial: &Trial) -> String {
     let [left, right] = &trial.tracking;
     let event = trial.events.first().map_or_else(
         || "none".to_owned(),
-        |event| format!("{} at {:.1} s", event.kind.describe(), event.time),
+        |event| format!("{} after {}", event.kind.describe(), duration(event.time)),
     );
     format!(
-        "  {:>5} {:>6}/{:<2} {:>12.4} {:>12.4} {:>11.2} {:>8.0}  {event}",
+        "  {:>5} {:>6}/{:<2} {:>18} {:>18} {:>10} {:>9}  {event}",
         trial.index,
         trial.gathered_count(),
         trial.gathered.len(),
-        left.settled_rms.max(right.settled_rms),
-        left.settled_max.max(right.settled_max),
-        trial.drag[0].mean.max(trial.drag[1].mean),
-        trial.cost.total(),
+        lengths(&[left.rms.max(right.rms), left.max.max(right.max)]),
+        lengths(&[
+            left.settled_rms.max(right.settled_rms),
+            left.settled_max.max(right.settled_max)
+        ]),
+        quantity(trial.drag[0].mean.max(trial.drag[1].mean), "N"),
+        cost(trial.cost.total()),
     )
 }

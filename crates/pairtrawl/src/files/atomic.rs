@@ -13,13 +13,7 @@ pub fn write_atomically(path: &Path, content: &[u8]) -> Result<(), FileError> {
         Some(parent) if !parent.as_os_str().is_empty() => parent,
         _ => Path::new("."),
     };
-    let mut builder = tempfile::Builder::new();
-    builder.prefix(".pairtrawl-").suffix(".tmp");
-    // Temporary files are private by default; a result is for everyone whom the user's umask allows.
-    #[cfg(unix)]
-    builder.permissions(std::os::unix::fs::PermissionsExt::from_mode(0o666));
-    let mut file = builder
-        .tempfile_in(folder)
+    let mut file = temporary_in(folder)
         .map_err(|e| FileError::system(path, "create a file in this folder", e))?;
     file.write_all(content)
         .map_err(|e| FileError::system(path, "write the file", e))?;
@@ -33,4 +27,24 @@ pub fn write_atomically(path: &Path, content: &[u8]) -> Result<(), FileError> {
         let _ = folder.sync_all();
     }
     Ok(())
+}
+
+/// Finds out whether files can be written to a folder, before the work that makes them.
+///
+/// # Errors
+/// When the system refuses.
+pub fn check_writable(folder: &Path) -> Result<(), FileError> {
+    temporary_in(folder)
+        .map(drop)
+        .map_err(|e| FileError::system(folder, "create a file in this folder", e))
+}
+
+/// An empty file without a lasting name, gone when dropped.
+fn temporary_in(folder: &Path) -> std::io::Result<tempfile::NamedTempFile> {
+    let mut builder = tempfile::Builder::new();
+    builder.prefix(".pairtrawl-").suffix(".tmp");
+    // Temporary files are private by default; a result is for everyone whom the user's umask allows.
+    #[cfg(unix)]
+    builder.permissions(std::os::unix::fs::PermissionsExt::from_mode(0o666));
+    builder.tempfile_in(folder)
 }

@@ -3,6 +3,7 @@
 pub(super) mod file;
 mod write;
 
+pub use file::ExecutionFigures;
 pub use write::{execution_json, write_execution};
 
 /// The first field of every execution.

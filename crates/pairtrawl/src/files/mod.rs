@@ -18,10 +18,10 @@ mod schema;
 mod toml_reader;
 mod tum;
 
-pub use atomic::write_atomically;
+pub use atomic::{check_writable, write_atomically};
 pub use csv::{csv_text, write_csv};
 pub use error::{FileError, Problem};
-pub use execution::{execution_json, write_execution};
+pub use execution::{ExecutionFigures, execution_json, write_execution};
 pub use hash::sha256_hex;
 pub use limits::read_bounded;
 pub use plan::{PlanFile, parse_plan, plan_json, read_plan, write_plan};

@@ -80,23 +80,23 @@ pub struct FileOptions {
 #[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 pub struct ExecutionFigures {
     /// Finished drives.
-    pub trials: usize,
+    pub(super) trials: usize,
     /// Of these, how many gathered every object.
-    pub gathered_everything: usize,
+    pub(super) gathered_everything: usize,
     /// Their share; null without drives.
-    pub gathered_rate: Option<f64>,
+    pub(super) gathered_rate: Option<f64>,
     /// Drives in which nothing went wrong.
-    pub without_events: usize,
+    pub(super) without_events: usize,
     /// Root mean square of the position error over the whole drive, m.
-    pub rms: Quantiles,
+    pub(super) rms: Quantiles,
     /// Greatest position error over the whole drive, m.
-    pub max: Quantiles,
+    pub(super) max: Quantiles,
     /// Root mean square of the position error after the first second, m.
-    pub settled_rms: Quantiles,
+    pub(super) settled_rms: Quantiles,
     /// Greatest position error after the first second, m.
-    pub settled_max: Quantiles,
+    pub(super) settled_max: Quantiles,
     /// The paper's J on the driven paths.
-    pub cost: Quantiles,
+    pub(super) cost: Quantiles,
 }
 
 /// The median, the 90 % quantile and the greatest of the drives' values; null without drives.
@@ -104,11 +104,11 @@ pub struct ExecutionFigures {
 #[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 pub struct Quantiles {
     /// 50 % of the drives have no more.
-    pub median: Option<f64>,
+    pub(super) median: Option<f64>,
     /// 90 % of the drives have no more.
-    pub p90: Option<f64>,
+    pub(super) p90: Option<f64>,
     /// The greatest.
-    pub greatest: Option<f64>,
+    pub(super) greatest: Option<f64>,
 }
 
 /// One drive.

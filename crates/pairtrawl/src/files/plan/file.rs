@@ -31,24 +31,20 @@ pub struct File {
     #[serde(skip_serializing_if = "Option::is_none")]
     pub scene: Option<Reference>,
     /// What the command line changed against the scene.
-    #[serde(default)]
-    #[cfg_attr(feature = "schema", schemars(default))]
-    pub overrides: FileOverrides,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub overrides: Option<FileOverrides>,
     /// Centerline of the pair, as poses; empty when there is none.
-    #[serde(default)]
-    #[cfg_attr(feature = "schema", schemars(default))]
-    pub centerline: Vec<[f64; 3]>,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub centerline: Option<Vec<[f64; 3]>>,
     /// The pair of trajectories that the optimization started from.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub baseline: Option<Baseline>,
     /// Circles around the objects; close ones share one.
-    #[serde(default)]
-    #[cfg_attr(feature = "schema", schemars(default))]
-    pub circles: Vec<FileCircle>,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub circles: Option<Vec<FileCircle>>,
     /// Visiting order: indices into `circles`.
-    #[serde(default)]
-    #[cfg_attr(feature = "schema", schemars(default))]
-    pub order: Vec<usize>,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub order: Option<Vec<usize>>,
     /// The paper's J of the two trajectories.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub cost: Option<FileCost>,

@@ -151,7 +151,10 @@ impl File {
             return refuse("right", format!("an array of {}", self.right.len()), &bound);
         }
         // JSON has no NaN and no infinity, and numbers that overflow are refused by its parser.
-        if let Some(FileNetLength::Fixed(length)) = self.overrides.net_length
+        if let Some(FileNetLength::Fixed(length)) = self
+            .overrides
+            .as_ref()
+            .and_then(|changed| changed.net_length)
             && !positive(length)
         {
             return refuse(
@@ -210,21 +213,24 @@ impl From<File> for PlanFile {
                 content_sha256: s.content_sha256,
             }),
             overrides: Overrides {
-                net_length: file.overrides.net_length.map(|length| match length {
-                    FileNetLength::Fixed(length) => Some(length),
-                    FileNetLength::Auto(Auto::Auto) => None,
-                }),
+                net_length: file
+                    .overrides
+                    .and_then(|changed| changed.net_length)
+                    .map(|length| match length {
+                        FileNetLength::Fixed(length) => Some(length),
+                        FileNetLength::Auto(Auto::Auto) => None,
+                    }),
             },
-            centerline: poses(file.centerline),
+            centerline: poses(file.centerline.unwrap_or_default()),
             baseline: file.baseline.map(|b| (poses(b.left), poses(b.right))),
-            circles: (file.circles.into_iter())
+            circles: (file.circles.unwrap_or_default().into_iter())
                 .map(|c| Circle {
                     center: Point::from(c.center),
                     radius: c.radius,
                     objects: c.objects,
                 })
                 .collect(),
-            order: file.order,
+            order: file.order.unwrap_or_default(),
             cost: file.cost.map(|c| Cost {
                 smoothness: c.smoothness,
                 distance: c.distance,

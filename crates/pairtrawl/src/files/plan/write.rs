@@ -39,24 +39,26 @@ impl From<&Plan> for File {
             step_time: Some(plan.trajectory.step_time),
             time_law: Some(plan.time_law.clone()),
             scene: Some(Reference::from(&plan.scene)),
-            overrides: FileOverrides {
+            overrides: Some(FileOverrides {
                 net_length: (plan.overrides.net_length).map(|length| {
                     length.map_or(FileNetLength::Auto(Auto::Auto), FileNetLength::Fixed)
                 }),
-            },
-            centerline: poses(&plan.centerline),
+            }),
+            centerline: Some(poses(&plan.centerline)),
             baseline: Some(Baseline {
                 left: poses(&plan.baseline.left),
                 right: poses(&plan.baseline.right),
             }),
-            circles: (plan.circles.iter())
-                .map(|circle| FileCircle {
-                    center: circle.center.into(),
-                    radius: circle.radius,
-                    objects: circle.objects.clone(),
-                })
-                .collect(),
-            order: plan.order.clone(),
+            circles: Some(
+                (plan.circles.iter())
+                    .map(|circle| FileCircle {
+                        center: circle.center.into(),
+                        radius: circle.radius,
+                        objects: circle.objects.clone(),
+                    })
+                    .collect(),
+            ),
+            order: Some(plan.order.clone()),
             cost: Some(FileCost::from(plan.cost)),
             certificate: Some(FileCertificate::from(&plan.certificate)),
             rehearsal: Some(FileRehearsal::from(&plan.rehearsal)),
