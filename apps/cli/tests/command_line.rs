@@ -107,6 +107,7 @@ fn every_command_prints_one_json_object() {
     let (_scene_folder, scene) = folder_with(SMALL);
     let out = folder.path().join("out");
     let plan = out.join("plan.json");
+    let short = folder.path().join("short");
     let hall = folder.path().join("hall");
     let made = folder.path().join("made");
     let mjcf = folder.path().join("run.xml");
@@ -130,7 +131,7 @@ fn every_command_prints_one_json_object() {
             "plan",
             text(&scene),
             "-o",
-            text(&out),
+            text(&short),
             "--net-length",
             "0.5",
             "--json",
@@ -250,7 +251,7 @@ fn nothing_but_the_summary_is_printed_into_a_pipe() {
         "drive",
         "cost J",
         "tightest claims",
-        "seconds",
+        "took",
         "plan.json",
     ] {
         assert!(said.contains(word), "the summary lacks {word}: {said}");
@@ -330,4 +331,163 @@ fn control_c_ends_with_130_and_leaves_no_file() {
     );
     assert_eq!(child.wait().expect("the program ends").code(), Some(130));
     assert_eq!(files_below(folder.path()), Vec::<String>::new());
+}
+
+#[cfg(target_os = "linux")]
+#[test]
+fn a_folder_that_cannot_be_written_to_is_reported_before_planning() {
+    // Planning this ends with 4; the folder exists, but the system makes no files in it.
+    let (_folder, scene) = folder_with(SMALL.replace("length = 1.2", "length = 0.5"));
+    for command in ["plan", "run", "length"] {
+        let ended = run(&[command, text(&scene), "-o", "/proc/self/fdinfo"]);
+        assert_eq!(
+            ended.status.code(),
+            Some(8),
+            "{command}: {}",
+            stderr(&ended)
+        );
+        assert!(stderr(&ended).contains("/proc/self/fdinfo"), "{command}");
+    }
+}
+
+#[test]
+fn a_failed_plan_sets_the_earlier_one_aside_and_says_so() {
+    let (folder, scene) = folder_with(SMALL);
+    let out = folder.path().join("out");
+    let plan = |more: &[&str]| {
+        let mut arguments = vec!["plan", text(&scene), "-o", text(&out), "--no-rehearsal"];
+        arguments.extend(more);
+        run(&arguments)
+    };
+    assert_eq!(plan(&[]).status.code(), Some(0));
+    let names = files_below(&out);
+    std::fs::write(out.join("notes.txt"), "mine").expect("written");
+    let earlier: Vec<String> = (names.iter())
+        .map(|name| format!("earlier/{name}"))
+        .collect();
+    let mut expected = earlier.clone();
+    expected.push("notes.txt".to_owned());
+
+    let failed = plan(&["--net-length", "0.5", "--json"]);
+    assert_eq!(failed.status.code(), Some(4));
+    assert_eq!(files_below(&out), expected);
+    let object: Value = serde_json::from_str(&stdout(&failed)).expect("JSON");
+    let aside = out.join("earlier").display().to_string();
+    assert_eq!(object["details"]["set_aside"], aside.as_str());
+    assert!(stderr(&failed).contains(&aside), "{}", stderr(&failed));
+    // A second failure has nothing to move and leaves what is there.
+    assert_eq!(plan(&["--net-length", "0.5"]).status.code(), Some(4));
+    assert_eq!(files_below(&out), expected);
+    // A scene that is none fails like any other.
+    assert_eq!(plan(&[]).status.code(), Some(0));
+    std::fs::write(&scene, "nothing").expect("written");
+    assert_eq!(plan(&[]).status.code(), Some(3));
+    assert_eq!(files_below(&out), expected);
+}
+
+#[cfg(unix)]
+#[test]
+fn control_c_sets_the_earlier_plan_aside() {
+    let (folder, small) = folder_with(SMALL);
+    let out = folder.path().join("out");
+    let ended = run(&["plan", text(&small), "-o", text(&out), "--no-rehearsal"]);
+    assert_eq!(ended.status.code(), Some(0));
+    let scene = library_scene("authors-simulation");
+    let mut child = program(&[
+        "plan",
+        text(&scene),
+        "-o",
+        text(&out),
+        "--waypoints",
+        "20000",
+    ])
+    .stdout(Stdio::piped())
+    .stderr(Stdio::piped())
+    .spawn()
+    .expect("the program starts");
+    std::thread::sleep(std::time::Duration::from_millis(300));
+    let interrupted = std::process::Command::new("kill")
+        .args(["-INT", &child.id().to_string()])
+        .status();
+    assert!(interrupted.expect("kill runs").success());
+    assert_eq!(child.wait().expect("the program ends").code(), Some(130));
+    assert!(
+        files_below(&out)
+            .iter()
+            .all(|name| name.starts_with("earlier/"))
+    );
+    assert!(out.join("earlier/plan.json").is_file());
+}
+
+#[cfg(unix)]
+#[test]
+fn an_interrupted_table_has_no_rows_of_nothing() {
+    let (folder, scene) = folder_with(SMALL);
+    let out = folder.path().join("out");
+    let ended = run(&["plan", text(&scene), "-o", text(&out), "--no-rehearsal"]);
+    assert_eq!(ended.status.code(), Some(0));
+    let plan = out.join("plan.json");
+    let child = program(&[
+        "monte-carlo",
+        text(&scene),
+        text(&plan),
+        "--runs",
+        "1000000",
+        "--json",
+    ])
+    .stdout(Stdio::piped())
+    .stderr(Stdio::piped())
+    .spawn()
+    .expect("the program starts");
+    std::thread::sleep(std::time::Duration::from_millis(500));
+    let interrupted = std::process::Command::new("kill")
+        .args(["-INT", &child.id().to_string()])
+        .status();
+    assert!(interrupted.expect("kill runs").success());
+    let ended = child.wait_with_output().expect("the program ends");
+    assert_eq!(ended.status.code(), Some(130), "{}", stderr(&ended));
+    let table: Value = serde_json::from_str(&stdout(&ended)).expect("JSON");
+    assert_eq!(table["interrupted"], true);
+    let rows = table["rows"].as_array().expect("rows");
+    // A million drives of the first law take hours: the others had none.
+    assert!(rows.len() <= 1, "{rows:?}");
+    assert!(
+        rows.iter()
+            .all(|row| row["runs"].as_u64() > Some(0) && row["rms"]["p50"].is_number())
+    );
+}
+
+#[test]
+fn run_refuses_a_plan_that_cannot_be_proven() {
+    let (folder, scene) = folder_with(SMALL);
+    let out = folder.path().join("out");
+    let ended = run(&["plan", text(&scene), "-o", text(&out), "--no-rehearsal"]);
+    assert_eq!(ended.status.code(), Some(0));
+    let path = out.join("plan.json");
+    let mut plan: Value =
+        serde_json::from_slice(&std::fs::read(&path).expect("read")).expect("JSON");
+    let longer = plan["net_length"].as_f64().expect("a number") + 0.1;
+    plan["net_length"] = longer.into();
+    std::fs::write(&path, plan.to_string()).expect("written");
+    let driven = folder.path().join("run");
+    let mut arguments = vec![
+        "run",
+        text(&scene),
+        text(&path),
+        "--trials",
+        "1",
+        "--quick",
+        "-o",
+        text(&driven),
+        "--json",
+    ];
+    let refused = run(&arguments);
+    assert_eq!(refused.status.code(), Some(6), "{}", stderr(&refused));
+    let object: Value = serde_json::from_str(&stdout(&refused)).expect("JSON");
+    assert_eq!(object["details"]["claim"], "net_length");
+    assert_eq!(files_below(&driven), Vec::<String>::new());
+    arguments.push("--unproven");
+    let ended = run(&arguments);
+    assert_eq!(ended.status.code(), Some(0), "{}", stderr(&ended));
+    assert!(stdout(&ended).contains("cannot be proven"));
 }

@@ -105,6 +105,16 @@ fn check_refuses_a_plan_of_another_scene_and_a_changed_one() {
         stdout(&ended)
     );
 
+    // A comment changes the bytes of the scene, not what it says.
+    let (_commented_folder, commented) = folder_with(format!("# mine\n{SMALL}"));
+    let ended = run(&["check", text(&commented), text(&path)]);
+    assert_eq!(ended.status.code(), Some(0), "{}", stdout(&ended));
+    assert!(
+        stdout(&ended).contains("bytes of its files differ"),
+        "{}",
+        stdout(&ended)
+    );
+
     let x = plan["left"][5][0].as_f64().expect("a number");
     plan["left"][5][0] = (x + 0.5).into();
     std::fs::write(&path, plan.to_string()).expect("written");
