@@ -255,6 +255,7 @@ fn the_schema_of_a_scene_has_the_keys_of_the_notation() {
         let (_, rest) = (notation.split_once(&format!("### `[{table}]`\n"))).expect("a table");
         let section = rest.split("\n### ").next().unwrap_or(rest);
         let mut named: Vec<String> = (section.lines())
+            .filter(|line| line.starts_with('|'))
             .filter_map(|line| {
                 line.split('|')
                     .map(str::trim)
