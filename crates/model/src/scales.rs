@@ -33,34 +33,24 @@ impl Scales {
     /// The scene in units of the length scale: lengths, and whatever else has a length in its unit, gains of the cost
     /// included. Angles, ratios, masses and times stay.
     pub fn scene(&self, scene: &Scene) -> Scene {
-        let units = Units {
-            length: self.length,
-            ..Units::SI
-        };
-        units.scene_with(scene, |x| self.tidy(x))
+        self.units().scene(scene)
     }
 
     /// A length in m in units of the length scale.
     pub fn scaled(&self, meters: f64) -> f64 {
-        self.tidy(meters / self.length)
+        self.units().tidy(meters / self.length)
     }
 
     /// A trajectory in m in units of the length scale.
     pub fn scaled_trajectory(&self, trajectory: &PairTrajectory) -> PairTrajectory {
-        trajectory.map(|pose| self.scaled_pose(pose))
+        trajectory.map(|pose| self.units().pose(pose))
     }
 
-    fn scaled_pose(&self, pose: Pose) -> Pose {
-        Pose::new(self.scaled(pose.x), self.scaled(pose.y), pose.heading)
-    }
-
-    /// Decimal numbers stay decimal: rounded to 14 digits, a scene that is written in decimals has the same bits at every
-    /// scale, so that no choice of the planner depends on how a division was rounded.
-    fn tidy(&self, x: f64) -> f64 {
-        if self.length == 1.0 {
-            return x;
+    fn units(&self) -> Units {
+        Units {
+            length: self.length,
+            ..Units::SI
         }
-        format!("{x:.13e}").parse().unwrap_or(x)
     }
 
     /// A length in units of the length scale in m.
@@ -70,12 +60,12 @@ impl Scales {
 
     /// A place in units of the length scale in m.
     pub fn place(&self, place: Point) -> Point {
-        place * self.length
+        self.units().place_in_si(place)
     }
 
     /// A pose in units of the length scale in m.
     pub fn pose(&self, pose: Pose) -> Pose {
-        Pose::at(self.place(pose.position()), pose.heading)
+        self.units().pose_in_si(pose)
     }
 
     /// A circle in units of the length scale in m.
@@ -101,7 +91,7 @@ impl Scales {
                 (right, trajectory.right.get(i), back.right.get_mut(i)),
             ] {
                 if let (Some(scaled), Some(pose)) = (scaled, pose)
-                    && scaled.position() == self.scaled_pose(end).position()
+                    && scaled.position() == self.units().pose(end).position()
                 {
                     *pose = Pose::at(end.position(), scaled.heading);
                 }

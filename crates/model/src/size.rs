@@ -55,7 +55,7 @@ impl RobotSize {
     pub fn planner(self, robot: &Robot) -> PlannerParameters {
         PlannerParameters {
             cruise: CRUISE * (robot.v_max / Robot::default().v_max),
-            ..self.units().planner(&PlannerParameters::default(), |x| x)
+            ..self.units().planner(&PlannerParameters::default())
         }
     }
 
@@ -64,7 +64,7 @@ impl RobotSize {
         let paper = PhysicsParameters::default();
         PhysicsParameters {
             gravity: paper.gravity,
-            ..self.units().physics(&paper, |x| x)
+            ..self.units().physics(&paper)
         }
     }
 }

@@ -1,8 +1,11 @@
 use crate::{
     Area, Footprint, NetSpec, Object, Obstacle, OccupancyMap, PairPose, PhysicsParameters,
-    PlannerParameters, Robot, Scene,
+    PlannerParameters, Robot, Scales, Scene,
 };
 use pairtrawl_geometry::{Point, Pose};
+
+/// Gravity that the unit of time of a machine is made for, m/s^2.
+const EARTH_GRAVITY: f64 = 9.81;
 
 /// Units in which a scene can be expressed instead of SI. Equations of motion and costs hold in any of them.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -23,6 +26,26 @@ impl Units {
         mass: 1.0,
     };
 
+    /// Units in which a machine looks like the paper's: lengths in units of the length scale, times such that gravity is
+    /// what it is on Earth, masses in proportion to the volume. SI units for the default machine.
+    pub fn of_machine(scene: &Scene) -> Self {
+        let length = Scales::of(scene).length;
+        Self {
+            length,
+            time: (length * EARTH_GRAVITY / scene.physics.gravity).sqrt(),
+            mass: length * length * length,
+        }
+    }
+
+    /// Decimal numbers stay decimal: rounded to 14 digits, a scene that is written in decimals has the same bits at every
+    /// scale, so that no choice of the planner and no bounce in the physics depends on how a division was rounded.
+    pub fn tidy(&self, x: f64) -> f64 {
+        if *self == Self::SI {
+            return x;
+        }
+        format!("{x:.13e}").parse().unwrap_or(x)
+    }
+
     /// Unit of speed, m/s.
     pub fn speed(&self) -> f64 {
         self.length / self.time
@@ -38,17 +61,29 @@ impl Units {
         self.force() * self.length
     }
 
-    /// A scene given in SI units, expressed in these. Angles and ratios stay.
-    pub fn scene(&self, scene: &Scene) -> Scene {
-        self.scene_with(scene, |x| x)
+    /// A pose given in m, expressed in these units.
+    pub fn pose(&self, pose: Pose) -> Pose {
+        let length = |x: f64| self.tidy(x / self.length);
+        Pose::new(length(pose.x), length(pose.y), pose.heading)
     }
 
-    /// The same with `tidy` applied to every number that is converted.
-    pub(crate) fn scene_with(&self, scene: &Scene, tidy: impl Fn(f64) -> f64) -> Scene {
+    /// The way back: a place in these units, in m.
+    pub fn place_in_si(&self, place: Point) -> Point {
+        place * self.length
+    }
+
+    /// The way back: a pose in these units, in m.
+    pub fn pose_in_si(&self, pose: Pose) -> Pose {
+        Pose::at(self.place_in_si(pose.position()), pose.heading)
+    }
+
+    /// A scene given in SI units, expressed in these. Angles and ratios stay.
+    pub fn scene(&self, scene: &Scene) -> Scene {
+        let tidy = |x| self.tidy(x);
         let (l, time, mass) = (self.length, self.time, self.mass);
         let length = |x: f64| tidy(x / l);
         let point = |p: Point| Point::new(length(p.x), length(p.y));
-        let pose = |p: Pose| Pose::new(length(p.x), length(p.y), p.heading);
+        let pose = |p: Pose| self.pose(p);
         let pair = |pair: PairPose| PairPose {
             left: pose(pair.left),
             right: pose(pair.right),
@@ -117,16 +152,13 @@ impl Units {
                     .as_ref()
                     .map(|points| points.iter().map(|&p| point(p)).collect()),
             },
-            planner: self.planner(planner, &tidy),
-            physics: self.physics(physics, &tidy),
+            planner: self.planner(planner),
+            physics: self.physics(physics),
         }
     }
 
-    pub(crate) fn planner(
-        &self,
-        planner: &PlannerParameters,
-        tidy: impl Fn(f64) -> f64,
-    ) -> PlannerParameters {
+    pub(crate) fn planner(&self, planner: &PlannerParameters) -> PlannerParameters {
+        let tidy = |x| self.tidy(x);
         let l = self.length;
         let length = |x: f64| tidy(x / l);
         PlannerParameters {
@@ -144,11 +176,8 @@ impl Units {
         }
     }
 
-    pub(crate) fn physics(
-        &self,
-        physics: &PhysicsParameters,
-        tidy: impl Fn(f64) -> f64,
-    ) -> PhysicsParameters {
+    pub(crate) fn physics(&self, physics: &PhysicsParameters) -> PhysicsParameters {
+        let tidy = |x| self.tidy(x);
         let (l, time, mass) = (self.length, self.time, self.mass);
         let length = |x: f64| tidy(x / l);
         PhysicsParameters {

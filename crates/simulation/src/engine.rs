@@ -20,7 +20,7 @@ pub(crate) fn new_world(parameters: &Parameters) -> PhysicsWorld {
     settings.warmstart_joints = true;
     // Stale contact points let a sliding cube stick.
     settings.contact_recycling = false;
-    // Links are centimeters long.
+    // Links are a tenth of the unit of length long.
     settings.length_unit = 0.1;
     // The default softness scales with the 2 g link and lets a snagged net slide through a post.
     settings.contact_softness = SpringCoefficients {

@@ -8,6 +8,7 @@
 //! The result depends on nothing but its inputs: same bits on every run, machine and number of threads.
 
 mod contacts;
+mod conversion;
 mod engine;
 mod error;
 pub mod export;

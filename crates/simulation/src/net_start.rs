@@ -15,7 +15,7 @@ use rapier2d_f64::parry::query::intersection_test;
 use rapier2d_f64::parry::shape::{Ball, Cuboid, SharedShape};
 use std::f64::consts::FRAC_PI_2;
 
-/// A given start shape may end this far from the hitches, m.
+/// A given start shape may end this far from the hitches, in units of the machine.
 const HITCH_TOLERANCE: f64 = 0.05;
 /// Bisections of a shape parameter; enough for every bit.
 const BISECTIONS: usize = 200;

@@ -10,11 +10,11 @@ use rapier2d_f64::prelude::{
     ColliderBuilder, MassProperties, PhysicsWorld, RigidBodyBuilder, RigidBodyHandle,
 };
 
-/// An object wakes when something that moves comes this near to its footprint circle, m.
+/// An object wakes when something that moves comes this near to its footprint circle, in units of the machine.
 const WAKE_DISTANCE: f64 = 0.03;
-/// A resting object falls asleep when everything is farther away than this, m.
+/// A resting object falls asleep when everything is farther away than this.
 const SLEEP_DISTANCE: f64 = 0.04;
-/// Below this speed it rests, m/s (rad/s for its turn).
+/// Below this speed it rests (a speed, or a turning rate).
 const REST_SPEED: f64 = 1e-5;
 
 pub(crate) struct Objects {

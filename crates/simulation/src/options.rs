@@ -1,9 +1,10 @@
 use crate::SimulationError;
+use pairtrawl_model::{Scene, Units};
 
 /// How finely to simulate and what to record.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Options {
-    /// Time step of the physics, s; 1e-4 to 4e-3.
+    /// Time step of the physics, s; 1e-4 to 4e-3 for a machine of the paper's size ([`Self::for_scene`]).
     pub time_step: f64,
     /// Solver iterations (substeps) per time step.
     pub iterations: usize,
@@ -43,7 +44,33 @@ impl Options {
         }
     }
 
-    /// Checks every bound.
+    /// The same for the machine of a scene: what these options are for one of the paper's size on Earth, with times and
+    /// lengths grown in proportion to it. No change for the default machine.
+    pub fn for_scene(&self, scene: &Scene) -> Self {
+        let Units { length, time, .. } = Units::of_machine(scene);
+        self.scaled(length, time)
+    }
+
+    /// In units of the machine instead of SI units.
+    pub(crate) fn in_units(&self, units: &Units) -> Self {
+        let scaled = self.scaled(1.0 / units.length, 1.0 / units.time);
+        Self {
+            time_step: units.tidy(self.time_step / units.time),
+            ..scaled
+        }
+    }
+
+    fn scaled(&self, length: f64, time: f64) -> Self {
+        Self {
+            time_step: self.time_step * time,
+            frame_interval: self.frame_interval * time,
+            settle_time: self.settle_time * time,
+            max_deviation: self.max_deviation * length,
+            ..*self
+        }
+    }
+
+    /// Checks every bound; in units of the machine.
     pub(crate) fn validate(&self) -> Result<(), SimulationError> {
         let check = |name, value: f64, low: f64, high: f64| {
             if (low..=high).contains(&value) {

@@ -1,5 +1,5 @@
 use crate::{Options, SimulationError};
-use pairtrawl_model::{Footprint, PhysicsParameters, Robot, Scene};
+use pairtrawl_model::{Footprint, PhysicsParameters, Robot, Scene, Units};
 
 /// Side of the TurtleBot3 Waffle Pi's square base, m.
 const BASE_SIDE: f64 = 0.266;
@@ -8,7 +8,7 @@ const BASE_OFFSET: f64 = 0.064;
 /// Radius of the circle around the axle center that the scenes give this robot, m.
 const BASE_RADIUS: f64 = 0.24;
 
-/// Everything that stays constant during a simulation.
+/// Everything that stays constant during a simulation, in SI units or, inside of it, in units of the machine.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Parameters {
     /// Masses and frictions.
@@ -46,7 +46,7 @@ impl Parameters {
     /// # Errors
     /// When a mass, a friction, a length or an option is out of range.
     pub fn new(scene: &Scene, net_length: f64, options: &Options) -> Result<Self, SimulationError> {
-        options.validate()?;
+        options.in_units(&Units::of_machine(scene)).validate()?;
         let physics = scene.physics;
         let positive = [
             ("net length", net_length),

@@ -123,9 +123,10 @@ pub fn rehearse(
     trajectory: &PairTrajectory,
     options: &Options,
 ) -> Result<RehearsalRecord, SimulationError> {
+    let options = options.for_scene(scene);
     let mut driver = PlanFollower::new(trajectory)?;
-    let mut simulation = Simulation::starting_at(scene, net_length, trajectory.pair(0), options)?;
-    let mut watch = Watch::new(scene, options, driver.clone(), &simulation);
+    let mut simulation = Simulation::starting_at(scene, net_length, trajectory.pair(0), &options)?;
+    let mut watch = Watch::new(scene, &options, driver.clone(), &simulation);
     let duration = trajectory.duration() + options.settle_time;
     run(&mut simulation, &mut driver, duration, &mut |simulation| {
         watch.observe(simulation)

@@ -8,15 +8,22 @@ use crate::{
     Options, Parameters, RobotDrive, RobotLoad, RobotState, SimulationError, obstacles, tag,
 };
 use pairtrawl_geometry::{Point, Pose};
-use pairtrawl_model::{PairPose, Scene};
+use pairtrawl_model::{PairPose, Scene, Units};
 use rapier2d_f64::prelude::PhysicsWorld;
 
-/// Objects are woken and put to sleep this often, s: at 0.5 m/s things move a third of the wake distance meanwhile.
+/// Objects are woken and put to sleep this often: at a speed of 0.5 things move a third of the wake distance meanwhile.
 const SLEEP_INTERVAL: f64 = 0.02;
 
 /// Two robots, the net, the objects and the obstacles of a scene, in motion.
+///
+/// Whoever uses it gives and gets SI units. Inside, everything is in units of the machine ([`Units::of_machine`]), so that the
+/// physics of a scene does not depend on its scale.
 pub struct Simulation {
+    /// In SI units.
     parameters: Parameters,
+    units: Units,
+    /// In units of the machine, as all that follows.
+    inner: Parameters,
     world: PhysicsWorld,
     robots: [RobotBody; 2],
     net: Net,
@@ -45,26 +52,33 @@ impl Simulation {
         options: &Options,
     ) -> Result<Self, SimulationError> {
         let parameters = Parameters::new(scene, net_length, options)?;
-        let mut world = new_world(&parameters);
-        obstacles::insert(&mut world, scene)?;
+        let units = Units::of_machine(scene);
+        let scene = &units.scene(scene);
+        let net_length = units.tidy(net_length / units.length);
+        let in_si = |error: SimulationError| error.in_si(&units);
+        let inner = Parameters::new(scene, net_length, &options.in_units(&units)).map_err(in_si)?;
+        let mut world = new_world(&inner);
+        obstacles::insert(&mut world, scene).map_err(in_si)?;
         let fixed = world
             .colliders
             .iter()
             .map(|(_, c)| (*c.position(), c.shared_shape().clone()))
             .collect();
-        let poses = [start.left, start.right];
-        let laid = net_start::lay(scene, &parameters, poses, fixed)?;
-        let robots = [0, 1]
-            .map(|side| RobotBody::insert(&mut world, &parameters, poses[side], tag::robot(side)));
+        let poses = [start.left, start.right].map(|pose| units.pose(pose));
+        let laid = net_start::lay(scene, &inner, poses, fixed).map_err(in_si)?;
+        let robots =
+            [0, 1].map(|side| RobotBody::insert(&mut world, &inner, poses[side], tag::robot(side)));
         let net = Net::insert(
             &mut world,
-            &parameters,
+            &inner,
             &laid.nodes,
             [robots[0].handle, robots[1].handle],
         );
-        let objects = Objects::insert(&mut world, &parameters, &scene.objects);
+        let objects = Objects::insert(&mut world, &inner, &scene.objects);
         Ok(Self {
             parameters,
+            units,
+            inner,
             world,
             robots,
             net,
@@ -79,11 +93,9 @@ impl Simulation {
     /// # Errors
     /// When a position or velocity is no longer finite.
     pub fn step(&mut self, drive: [RobotDrive; 2]) -> Result<(), SimulationError> {
-        let every = (SLEEP_INTERVAL / self.parameters.time_step)
-            .round()
-            .max(1.0) as u64;
+        let every = (SLEEP_INTERVAL / self.inner.time_step).round().max(1.0) as u64;
         if self.steps.is_multiple_of(every) {
-            let reach = self.parameters.robot.radius;
+            let reach = self.inner.robot.radius;
             let discs = self
                 .robots
                 .each_ref()
@@ -93,14 +105,14 @@ impl Simulation {
                 .update_sleep(&mut self.world, &polyline, &discs);
         }
         for (robot, drive) in self.robots.iter_mut().zip(&drive) {
-            robot.apply(&mut self.world, &self.parameters, drive);
+            robot.apply(&mut self.world, &self.inner, &drive.in_units(&self.units));
         }
         self.net.apply(&mut self.world);
         self.objects.apply(&mut self.world);
         self.world.step();
         self.steps += 1;
         for robot in &mut self.robots {
-            robot.observe(&self.world, &self.parameters);
+            robot.observe(&self.world, &self.inner);
         }
         self.objects.observe(&self.world);
         let finite = self
@@ -119,14 +131,19 @@ impl Simulation {
         self.steps as f64 * self.parameters.time_step
     }
 
-    /// What stays constant.
+    /// The units of the machine, which everything inside is in. 1 each for the default machine.
+    pub fn units(&self) -> Units {
+        self.units
+    }
+
+    /// What stays constant, in SI units.
     pub fn parameters(&self) -> &Parameters {
         &self.parameters
     }
 
     /// Poses and velocities of the (left, right) robot.
     pub fn robots(&self) -> [RobotState; 2] {
-        self.robots.each_ref().map(|r| r.state)
+        self.robots.each_ref().map(|r| r.state.in_si(&self.units))
     }
 
     /// Poses of both robots.
@@ -141,27 +158,42 @@ impl Simulation {
     /// What acted on the (left, right) robot in the last step. The load is the force of the net (and of whatever else touches
     /// the robot) by the momentum balance of the robot; the impulses that the engine reports are not that force.
     pub fn loads(&self) -> [RobotLoad; 2] {
-        self.robots.each_ref().map(|r| r.last)
+        self.robots.each_ref().map(|r| r.last.in_si(&self.units))
     }
 
     /// The net from the left hitch to the right one: both ends and every hinge, m.
     pub fn net(&self) -> Vec<Point> {
-        self.net.polyline(&self.world)
+        let nodes = self.net.polyline(&self.world);
+        nodes
+            .into_iter()
+            .map(|p| self.units.place_in_si(p))
+            .collect()
     }
 
     /// Centers and turns of the net's links, from the left.
     pub fn links(&self) -> Vec<Pose> {
-        self.net.link_poses(&self.world)
+        self.poses_in_si(self.net.link_poses(&self.world))
     }
 
     /// Hitch points of the (left, right) robot, m.
     pub fn hitches(&self) -> [Point; 2] {
-        self.robots.each_ref().map(|r| r.hitch(&self.parameters))
+        self.inner_hitches().map(|p| self.units.place_in_si(p))
     }
 
     /// Centers and turns of the objects, in the scene's order.
     pub fn objects(&self) -> Vec<Pose> {
-        self.objects.poses()
+        self.poses_in_si(self.objects.poses())
+    }
+
+    fn poses_in_si(&self, poses: Vec<Pose>) -> Vec<Pose> {
+        poses
+            .into_iter()
+            .map(|p| self.units.pose_in_si(p))
+            .collect()
+    }
+
+    fn inner_hitches(&self) -> [Point; 2] {
+        self.robots.each_ref().map(|r| r.hitch(&self.inner))
     }
 
     /// How many objects take part in the physics at the moment; the others lie still, out of reach.
@@ -180,18 +212,20 @@ impl Simulation {
 
     /// Everything that touches, after the last step.
     pub fn contacts(&self) -> Vec<Contact> {
-        contacts::touching(&self.world)
+        let contacts = contacts::touching(&self.world).into_iter();
+        contacts.map(|c| c.in_si(&self.units)).collect()
     }
 
     /// Greatest gap in a hinge of the net, m.
     pub fn joint_gap(&self) -> f64 {
-        self.net.joint_gap(&self.world, self.hitches())
+        self.net.joint_gap(&self.world, self.inner_hitches()) * self.units.length
     }
 
     /// Kinetic energy of everything and what is stored in tires and support points, J.
     pub fn energy(&self) -> f64 {
         let robots: f64 = self.robots.iter().map(|r| r.energy(&self.world)).sum();
-        robots + self.net.energy(&self.world) + self.objects.energy(&self.world)
+        let inner = robots + self.net.energy(&self.world) + self.objects.energy(&self.world);
+        inner * self.units.torque()
     }
 
     /// Warnings for people, from setting up.

@@ -4,23 +4,26 @@ use crate::{Options, Part, PlanFollower, Simulation, distance_outside, encloses}
 use pairtrawl_geometry::Point;
 use pairtrawl_model::{
     Rehearsal, RehearsalEvent, RehearsalEventKind as Kind, RehearsalFrame, RehearsalRecord, Scene,
-    Side,
+    Side, Units,
 };
 
-/// Tension is a mean over this long, s.
+// In units of the machine, as the physics: for the default machine s and m.
+
+/// Tension is a mean over this long.
 const TENSION_WINDOW: f64 = 0.02;
-/// Contacts and objects are looked at this often, s.
+/// Contacts and objects are looked at this often.
 const LOOK_INTERVAL: f64 = 0.01;
-/// The same thing again within this time is the same event, s.
+/// The same thing again within this time is the same event.
 const EPISODE: f64 = 1.0;
-/// An object that was in the net this long is held, s.
+/// An object that was in the net this long is held.
 const HELD_TIME: f64 = 0.5;
-/// A held object farther outside than this beyond its own radius has escaped, m.
+/// A held object farther outside than this beyond its own radius has escaped.
 const ESCAPE_DISTANCE: f64 = 0.03;
 
 /// Looks at a simulation step by step and keeps the record: events, tension, frames.
 pub struct Watch {
     options: Options,
+    units: Units,
     plan: PlanFollower,
     radii: Vec<f64>,
     tension_limit: f64,
@@ -59,15 +62,17 @@ impl Watch {
         plan: PlanFollower,
         simulation: &Simulation,
     ) -> Self {
+        let units = simulation.units();
         let every = |interval: f64| (interval / options.time_step).round().max(1.0) as u64;
         let mut watch = Self {
             options: *options,
+            units,
             plan,
             radii: scene.objects.iter().map(|o| o.footprint_radius()).collect(),
             tension_limit: scene.physics.tension_limit,
-            look_every: every(LOOK_INTERVAL),
+            look_every: every(LOOK_INTERVAL * units.time),
             frame_every: every(options.frame_interval),
-            window_every: every(TENSION_WINDOW),
+            window_every: every(TENSION_WINDOW * units.time),
             steps: 0,
             window: [Point::ZERO; 2],
             frame: Sums::default(),
@@ -202,6 +207,8 @@ impl Watch {
     }
 
     fn look_at_objects(&mut self, simulation: &Simulation) {
+        let escaped = ESCAPE_DISTANCE * self.units.length;
+        let held = HELD_TIME * self.units.time;
         let net = simulation.net();
         let time = simulation.time();
         for (object, pose) in simulation.objects().iter().enumerate() {
@@ -209,9 +216,9 @@ impl Watch {
             self.held[object] = match self.held[object] {
                 Holding::Outside if encloses(&net, place) => Holding::Since(time),
                 Holding::Since(since)
-                    if distance_outside(&net, place) > self.radii[object] + ESCAPE_DISTANCE =>
+                    if distance_outside(&net, place) > self.radii[object] + escaped =>
                 {
-                    if time - since > HELD_TIME {
+                    if time - since > held {
                         self.happened(Kind::ObjectEscapes { object }, time, place);
                     }
                     Holding::Outside
@@ -223,9 +230,10 @@ impl Watch {
 
     /// Notes an event, or that it still goes on.
     fn happened(&mut self, kind: Kind, time: f64, place: Point) {
+        let episode = EPISODE * self.units.time;
         let again = self.open.iter_mut().find(|(open, _)| *open == kind);
         match again {
-            Some((_, last)) if time - *last < EPISODE => *last = time,
+            Some((_, last)) if time - *last < episode => *last = time,
             Some((_, last)) => {
                 *last = time;
                 self.record
