@@ -1,5 +1,5 @@
 use pairtrawl_geometry::{Bounds, Point, Pose};
-use pairtrawl_model::{PairTrajectory, Side};
+use pairtrawl_model::{PairTrajectory, Scales, Scene, Side};
 use pairtrawl_reference::Reference;
 
 /// How the motion between waypoints is read.
@@ -106,6 +106,15 @@ impl Stretch {
 }
 
 impl<'a> Reading<'a> {
+    /// A tolerance of the waypoints, as it applies here: the smooth curve of a machine larger than the paper's meets its
+    /// waypoints to the same part of its size.
+    pub(crate) fn tolerance(&self, tolerance: f64, scene: &Scene) -> f64 {
+        match self {
+            Self::Linear(_) => tolerance,
+            Self::Smooth(_) => tolerance * Scales::of(scene).length.max(1.0),
+        }
+    }
+
     /// What is added to the words about a place.
     pub(crate) fn suffix(&self) -> &'static str {
         match self {

@@ -3,7 +3,7 @@ use crate::tightest::Tightest;
 use pairtrawl_geometry::wrap_angle;
 use pairtrawl_model::Side;
 
-/// First and last poses are the scene's, to this much, m and rad.
+/// First and last poses are the scene's, to this much, m and rad; on the smooth curve of a large machine to as much of its size.
 const REACH: f64 = 1e-6;
 
 /// Positions by distance, headings modulo 2 pi; the margin is in m or rad, whichever is tighter.
@@ -21,7 +21,8 @@ pub(super) fn judge(subject: &Subject<'_>) -> Tightest {
                 let wanted = [wanted.left, wanted.right][side.index()];
                 let (place, on) = (found.position(), reading.suffix());
                 let off = place.distance(wanted.position());
-                tightest.consider(REACH - off, i, place, || {
+                let reach = reading.tolerance(REACH, subject.scene);
+                tightest.consider(reach - off, i, place, || {
                     format!("{side}, {off:.3e} m from the scene's {what}{on}")
                 });
                 let turned = wrap_angle(found.heading - wanted.heading).abs();

@@ -26,7 +26,8 @@ pub(super) fn judge(subject: &Subject<'_>) -> Tightest {
             for (step, curve) in steps.iter().zip(reference.steps(side)) {
                 let [slowest, _] = curve.bounds([0.0, 1.0]).speed;
                 let place = step.from[side.index()].position();
-                tightest.consider(slowest + BACK, step.step, place, || {
+                let back = reading.tolerance(BACK, subject.scene);
+                tightest.consider(slowest + back, step.step, place, || {
                     let on = reading.suffix();
                     format!("{side} slows down to {slowest:.3e} m a step{on}")
                 });
