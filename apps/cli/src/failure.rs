@@ -229,7 +229,7 @@ impl Failure {
                 details: &self.details,
             },
         };
-        // JSON refuses maps whose keys are no strings; there are none here.
+        // Only maps with keys other than strings cannot be JSON, and there are no maps here.
         serde_json::to_string(&report).unwrap_or_default()
     }
 }

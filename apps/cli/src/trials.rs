@@ -14,7 +14,7 @@ pub struct Trials {
 }
 
 impl Trials {
-    /// For so many runs.
+    /// A bar for this number of runs.
     pub fn new(runs: usize, what: &'static str) -> Self {
         let length = (runs as f64 * RESOLUTION) as u64;
         let bar = ProgressBar::with_draw_target(Some(length), ProgressDrawTarget::stderr());

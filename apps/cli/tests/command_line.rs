@@ -378,7 +378,7 @@ fn a_failed_plan_sets_the_earlier_one_aside_and_says_so() {
     // A second failure has nothing to move and leaves what is there.
     assert_eq!(plan(&["--net-length", "0.5"]).status.code(), Some(4));
     assert_eq!(files_below(&out), expected);
-    // A scene that is none fails like any other.
+    // A file that is not a scene fails in the same way.
     assert_eq!(plan(&[]).status.code(), Some(0));
     std::fs::write(&scene, "nothing").expect("written");
     assert_eq!(plan(&[]).status.code(), Some(3));

@@ -31,7 +31,7 @@ pub struct ReducedModel<T> {
     pub coriolis: [[T; 2]; 2],
 }
 
-/// M_bar = S^T M S and C_bar = S^T M S_dot + S^T C S (eq. 21 with its dimensions mended).
+/// M_bar = S^T M S and C_bar = S^T M S_dot + S^T C S (eq. 21 with its dimensions corrected).
 pub fn reduce<T: Real>(
     mass: &[[T; 3]; 3],
     coriolis: &[[T; 3]; 3],

@@ -48,7 +48,7 @@ pub enum PairStopCause {
     Tension,
     /// A robot stopped by itself.
     RobotStopped,
-    /// A report held a number that is none.
+    /// A report held a number that is not finite.
     InvalidReport,
 }
 

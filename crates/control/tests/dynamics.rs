@@ -158,7 +158,7 @@ fn reduced_matrices_have_their_closed_form() {
             [[m, 0.0], [0.0, nominal.inertia - m * d * d]],
         );
         close(nominal.reduced(phi, w).coriolis, [[0.0; 2]; 2]);
-        // MODEL row 15: m d w [[0, cos 2 phi - 1], [0, -d sin 2 phi]] in the printed form.
+        // docs/paper.md, row 15: m d w [[0, cos 2 phi - 1], [0, -d sin 2 phi]] in the printed form.
         let (sin_2, cos_2) = (2.0 * phi).sin_cos();
         let bar = printed().reduced(phi, w).coriolis;
         close(
@@ -274,7 +274,7 @@ fn wheel_torques_invert_body_force() {
     };
     let back = model.body_force(model.wheel_torque(body));
     assert!((back.force - body.force).abs() < 1e-12 && (back.torque - body.torque).abs() < 1e-12);
-    // Torque order of MODEL row 16: the right wheel alone turns the robot to the left.
+    // Torque order of docs/paper.md, row 16: the right wheel alone turns the robot to the left.
     assert!(
         model
             .body_force(WheelTorque {

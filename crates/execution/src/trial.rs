@@ -223,6 +223,6 @@ fn words(cause: PairStopCause) -> &'static str {
         PairStopCause::Silence => "silent for too long",
         PairStopCause::Tension => "tension over the net's strength",
         PairStopCause::RobotStopped => "it stopped by itself",
-        PairStopCause::InvalidReport => "a report with numbers that are none",
+        PairStopCause::InvalidReport => "a report with numbers that are not finite",
     }
 }

@@ -1,7 +1,7 @@
 //! The vocabulary of Pairtrawl: types, and [`numbers`] as people read them. How they are read from and written to files is
 //! elsewhere.
 //!
-//! SI units and radians; map frame of REP-103. `left` and `right` are as seen by someone who walks with the duo.
+//! SI units and radians; map frame of REP-103. `left` and `right` are as seen by someone who walks behind the pair.
 
 mod certificate;
 mod claim_id;

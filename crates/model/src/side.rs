@@ -1,6 +1,6 @@
 use std::fmt;
 
-/// One of the two robots, as seen by someone who walks with the duo.
+/// One of the two robots, as seen by someone who walks behind the pair.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
 pub enum Side {
     /// The left robot, index 0 wherever robots are in an array.

@@ -175,7 +175,7 @@ impl<'a> Course<'a> {
         baseline(world, scaled, line, self.order, waypoints)
     }
 
-    /// Why no attempt is certified, after so many rounds; `worst` fails by most in the best one.
+    /// Why no attempt is certified, after that number of rounds; `worst` fails by most in the best one.
     pub fn no_plan(&self, best: &Attempt, worst: &Claim) -> NoPlan {
         let max_step = self.prepared.scene.planner.max_step;
         let (left, right) = best.baseline.path_lengths();

@@ -51,7 +51,7 @@
 //! - [`length_curve`] is the cost of the best plan over the length of the net.
 //! - [`files`] reads and writes scenes, plans and trajectories; [`summarize`] computes everything that [`report`] shows.
 //!
-//! SI units and radians; map frame of REP-103. `left` and `right` are as seen by someone who walks with the duo. The same
+//! SI units and radians; map frame of REP-103. `left` and `right` are as seen by someone who walks behind the pair. The same
 //! input gives the same plan, bit for bit, whatever the number of threads.
 
 mod attempt;

@@ -1,7 +1,7 @@
 use pairtrawl_model::Scene;
 use std::time::Duration;
 
-/// How to plan. The default is what the program does without options.
+/// Options of planning. The defaults are what the program does when no option is given.
 #[derive(Clone, Debug, PartialEq)]
 pub struct PlanOptions {
     /// The net's length instead of the scene's.

@@ -16,7 +16,7 @@ const FEWEST: usize = 8;
 /// Plans, and plans again when a scene has changed.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Planner {
-    /// How to plan.
+    /// Options of planning.
     pub options: PlanOptions,
 }
 

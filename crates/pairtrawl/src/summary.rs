@@ -261,7 +261,7 @@ mod tests {
         for c in summary.claims.iter().filter(|c| c.claim.step.is_some()) {
             assert_eq!(c.time, plan.time_law.get(c.claim.step.unwrap()).copied());
         }
-        // A law for other waypoints is none.
+        // A law for another number of waypoints does not apply.
         plan.time_law.pop();
         assert!(is_near(summarize(&scene, &plan, &[], None).duration, 10.0));
     }

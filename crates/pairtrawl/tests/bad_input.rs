@@ -18,7 +18,7 @@ fn write(folder: &Path, name: &str, content: &[u8]) -> std::path::PathBuf {
 }
 
 #[test]
-fn files_that_are_none() {
+fn paths_that_lead_to_no_file() {
     let folder = tempfile::tempdir().unwrap();
     let missing = folder.path().join("missing.toml");
     assert!(message(read_scene(&missing).unwrap_err()).contains("no such file"));

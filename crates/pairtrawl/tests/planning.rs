@@ -29,7 +29,7 @@ fn planned(loaded: &LoadedScene, options: &PlanOptions) -> Planned {
     plan(&loaded.scene, &loaded.reference, options, &mut ()).expect("there is a plan")
 }
 
-/// Stops after so many questions, and remembers which stages began.
+/// Stops after a number of questions, and remembers which stages began.
 struct Impatient {
     questions: AtomicUsize,
     stages: Vec<Stage>,

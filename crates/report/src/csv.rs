@@ -47,7 +47,7 @@ pub fn series_csv(panels: &[Panel]) -> String {
     out
 }
 
-/// The curve J(d_max) as CSV: net length, total, terms, and why there is no plan where there is none.
+/// The curve J(d_max) as CSV: net length, total, terms, and the reason where there is no plan.
 pub fn length_csv(curve: &LengthCurve) -> String {
     let mut out = String::from("net_length,total,smoothness,distance,obstacle,expansion,reason\n");
     for point in &curve.points {

@@ -242,7 +242,7 @@ fn the_embedded_data_are_the_trajectories() {
     let third: Vec<f64> = frames.net.iter().map(|net| net[3].x).collect();
     near(&unpack(&rehearsal["net"][3][0], 1e-4), &third, 0.5001e-4);
     near(&unpack(&rehearsal["t"], 1e-4), &frames.times, 0.5001e-4);
-    // A value that is none is null, not zero.
+    // A value that is not a number becomes null, not zero.
     assert!(
         data["panels"][1]["lines"][1]["v"]
             .as_array()

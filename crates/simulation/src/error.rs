@@ -18,7 +18,7 @@ pub enum SimulationError {
         high: f64,
     },
     /// A physical quantity of the scene is not usable.
-    #[error("{name} is {value}, must be {requirement}: mend it in the scene")]
+    #[error("{name} is {value}, must be {requirement}: correct it in the scene")]
     Parameter {
         /// Its name in the scene.
         name: String,

@@ -4,7 +4,7 @@
 //! carries objects that slide and turn. Here it is driven in simulation: two robots on wheels, a chain of rigid links, objects
 //! of any footprint, every contact with Coulomb friction, every support point with dry friction on the floor, no gravity in the plane.
 //!
-//! [`rehearse`] drives a plan and reports what happened; [`Simulation`] is the world itself, for whoever brings other drives.
+//! [`rehearse`] drives a plan and reports what happened; [`Simulation`] is the world itself, for callers that bring other drives.
 //! The result depends on nothing but its inputs: same bits on every run, machine and number of threads.
 
 mod contacts;

@@ -1,6 +1,6 @@
 //! One robot: a planar body on two driven wheels.
 //!
-//! Reference point on the axle, center of mass d ahead of it, inertia I about the center of mass (MODEL row 16 of the paper's
+//! Reference point on the axle, center of mass d ahead of it, inertia I about the center of mass (row 16 of `docs/paper.md`, the paper's
 //! reading): M = diag(m, I + m d^2), C = [[0, -m d w], [m d w, 0]]. The body is simulated in its three planar freedoms; the
 //! wheels push with torque / r along the heading at +-half_track, and a lateral bristle at the axle holds the no-slip
 //! condition as long as the tires can: longitudinal and lateral force together stay within mu m g.

@@ -13,7 +13,7 @@ use pairtrawl_model::SolverStatus;
 
 /// Least shift of the diagonal: keeps directions that cost nothing from running away.
 const LEAST_SHIFT: f64 = 0.1;
-/// Shift once the cost is optimal and only violations are left to mend.
+/// Shift once the cost is optimal and only violations are left to be removed.
 const POLISHING_SHIFT: f64 = 100.0;
 const POLISHING_INCREASE: f64 = 4.0;
 const GREATEST_POLISHING_SHIFT: f64 = 1e7;
@@ -68,7 +68,7 @@ pub(crate) fn solve(
             return SolverStatus::Converged;
         }
         if optimal {
-            // What is left is slip; small steps mend it without wandering along directions that cost nothing.
+            // What is left is slip; small steps remove it without wandering along directions that cost nothing.
             shift = (POLISHING_INCREASE * shift).clamp(POLISHING_SHIFT, GREATEST_POLISHING_SHIFT);
         }
         if stall.goes_on(problem, state) {

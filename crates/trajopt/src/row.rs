@@ -104,7 +104,7 @@ impl Row {
     }
 
     /// A start for a point that is nearly optimal: slack as the constraint has it and hardly any violation, so that what is
-    /// violated shows as a residual for the Newton steps to mend. (On the central path a constraint at its bound has half of
+    /// violated shows as a residual for the Newton steps to remove. (On the central path a constraint at its bound has half of
     /// `weight` for a multiplier, far more than it is worth.)
     pub fn presume_met(&mut self, mu: f64) {
         self.s = self.c.max(LEAST_SLACK);

@@ -12,7 +12,7 @@ use crate::settings::Settings;
 pub(crate) struct State {
     pub x: Iterate,
     pub set: ActiveSet,
-    /// Multipliers of the equalities, one a robot and step.
+    /// Multipliers of the equalities, one for each robot and step.
     pub lambda: Vec<f64>,
     pub mu: f64,
     pub iterations: usize,

@@ -85,7 +85,7 @@ impl StepDerivatives {
 pub(crate) type Variable = (usize, usize, f64);
 
 impl System {
-    /// Everything zero, for a course of so many waypoints.
+    /// Everything zero, for a course with this number of waypoints.
     pub fn reset(&mut self, waypoints: usize) {
         let order = (waypoints - 2) * STAGE;
         self.matrix.reset(order);

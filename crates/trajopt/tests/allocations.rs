@@ -4,7 +4,7 @@ use pairtrawl_generate::{Kind, generate};
 use pairtrawl_trajopt::{Problem, Settings, optimize};
 use pairtrawl_world::World;
 
-/// Allocations of a solve of at most so many iterations, and how many it took.
+/// Allocations of a solve with a bounded number of iterations, and how many iterations it took.
 fn allocations(
     problem: &Problem,
     start: &pairtrawl_model::PairTrajectory,

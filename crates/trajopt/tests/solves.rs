@@ -307,7 +307,7 @@ fn a_frozen_robot_stays_where_it_is_while_the_other_gains() {
 }
 
 #[test]
-fn what_is_minimized_is_j_whoever_is_held() {
+fn what_is_minimized_is_j_whichever_robot_is_held() {
     let made = witness(4, 1, 120);
     for frozen in [None, Some(Side::Left), Some(Side::Right)] {
         let mut problem = problem(&made.scene, Some(made.net_length));

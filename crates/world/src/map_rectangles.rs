@@ -21,7 +21,7 @@ impl CellRange {
     }
 }
 
-/// Rectangles reach at most so many cells to each side of the cell that they start from.
+/// Rectangles reach at most this number of cells to each side of the cell that they start from.
 const REACH: usize = 128;
 /// Rectangles reach at most so deep, m, into blocked cells beyond those that they are there to cover.
 const DEPTH: f64 = 0.5;

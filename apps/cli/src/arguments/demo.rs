@@ -11,7 +11,7 @@ pub struct DemoArguments {
     #[arg(short, long, value_name = "DIR", default_value = "out/demo", value_hint = ValueHint::DirPath)]
     pub output: PathBuf,
 
-    /// How to plan
+    /// Options of planning
     #[command(flatten)]
     pub planning: PlanningArguments,
 }

@@ -17,7 +17,7 @@ pub struct PlanArguments {
     #[arg(value_name = "SCENE", value_hint = ValueHint::FilePath)]
     pub scene: PathBuf,
 
-    /// How to plan
+    /// Options of planning
     #[command(flatten)]
     pub planning: PlanningArguments,
 

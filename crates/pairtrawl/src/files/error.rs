@@ -118,8 +118,8 @@ impl FileError {
         Self::new(path, Problem::System { action, source })
     }
 
-    /// True when the system refuses (permission, disk). A file that is not there is bad input instead: whoever named it can
-    /// put that right, and nothing outside of the input stands in the way.
+    /// True when the system refuses (permission, disk). A file that is not there counts as bad input: the
+    /// user can correct its name.
     pub fn is_from_system(&self) -> bool {
         matches!(self.problem, Problem::System { .. })
     }

@@ -61,7 +61,7 @@ pub fn parse_scene_with(
     })
 }
 
-/// Content of a file of at most so many bytes.
+/// Reads a file whose size in bytes is bounded by the second argument.
 type ReadFile<'a> = &'a dyn Fn(&Path, u64) -> Result<Vec<u8>, FileError>;
 
 fn parse(path: &Path, text: &str, read_file: ReadFile<'_>) -> Result<LoadedScene, FileError> {

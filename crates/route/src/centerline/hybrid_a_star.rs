@@ -21,7 +21,7 @@ use std::cmp::Reverse;
 const SLACK: f64 = 1.6;
 /// How far beyond the leg's beginning the heuristic is known: the way may swing out that far.
 const MARGIN: f64 = 4.0;
-/// Dubins shots at the end are tried from states nearer than this, and nearer than so many turning radii.
+/// Dubins shots at the end are tried from states nearer than this, and nearer than this number of turning radii.
 const SHOT_RANGE: f64 = 4.0;
 const SHOT_RADII: f64 = 6.0;
 /// Spacing at which shots are checked.

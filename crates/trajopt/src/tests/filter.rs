@@ -7,7 +7,7 @@ fn point(theta: f64, phi: f64) -> Point {
 }
 
 #[test]
-fn takes_what_betters_violation_or_barrier() {
+fn takes_what_improves_violation_or_barrier() {
     let from = point(1.0, 100.0);
     for (to, accepted) in [
         (point(0.5, 100.0), true),

@@ -54,7 +54,7 @@ pub enum RosMapError {
         columns: u32,
         /// Height.
         rows: u32,
-        /// Least number of bytes of so many pixels.
+        /// Least number of bytes that an image with that many pixels has.
         needed: u64,
         /// Bytes in the file.
         found: u64,

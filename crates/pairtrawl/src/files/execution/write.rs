@@ -34,7 +34,7 @@ pub fn execution_json(
     options: &ExecutionOptions,
     scene: &SceneReference,
 ) -> String {
-    // Maps with keys that are no strings are the one thing that JSON refuses; there are none here.
+    // Only maps with keys other than strings cannot be JSON, and there are no maps here.
     let mut text =
         serde_json::to_string_pretty(&file(execution, options, scene)).unwrap_or_default();
     text.push('\n');

@@ -15,7 +15,7 @@ pub(super) fn sha256(scene: &Scene) -> String {
     let blocked: Vec<u8> = (scene.map.iter())
         .flat_map(|map| map.blocked.iter().map(|blocked| u8::from(*blocked)))
         .collect();
-    // JSON refuses maps whose keys are no strings; there are none here.
+    // Only maps with keys other than strings cannot be JSON, and there are no maps here.
     let content = serde_json::to_vec(&SceneFile::from(scene)).unwrap_or_default();
     sha256_hex(&[&content, &blocked])
 }
