@@ -1,4 +1,4 @@
-//! One claim a file.
+//! One file for each claim.
 
 mod abreast;
 mod endpoints;

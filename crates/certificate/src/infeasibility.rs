@@ -1,7 +1,7 @@
 //! Proofs that no plan can be valid, in words and numbers.
 //!
 //! A proof is given only where it is sound; a scene without one may still have no valid plan. The arguments are those of
-//! exact driving: the tolerances of the claims (a slip of 0.1 mm a step, 1e-6 m back) are rounding, not a way to drive.
+//! exact driving: the tolerances of the claims (a slip of 0.1 mm in a step, 1e-6 m backward) are rounding, not a way to drive.
 //!
 //! 1. **The net is too short**: the hitches or axles at the start or end are farther apart than the net is long, or it is
 //!    shorter than two robot radii plus an object's footprint circle, over which it must pass with a robot on each side.

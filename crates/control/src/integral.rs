@@ -1,4 +1,4 @@
-//! The fair third: eq. 22 plus proportional and integral feedback of the velocity error,
+//! The third law, which the adaptive one is fairly compared with: eq. 22 plus proportional and integral feedback of the velocity error,
 //! tau_bar = M_bar v_d_dot + C_bar v_d + K (v_d - v) + K_I z, z_dot = v_d - v, z held while torque saturates.
 
 use crate::parameter::{not_negative, positive};

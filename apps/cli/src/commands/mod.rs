@@ -1,4 +1,4 @@
-//! One command a file. A command returns what it has to say; `main` prints it.
+//! One file for each command. A command returns what it has to say; `main` prints it.
 
 mod check;
 mod completions;
