@@ -74,7 +74,7 @@ pub fn net_length_claim(plan: f64, scene: Option<f64>, overrides: &Overrides) ->
 }
 
 /// Refuses the claim `speed` of a plan that states another time law (s at each waypoint) than the one that follows from scene
-/// and waypoints: nobody drives what it states.
+/// and waypoints: that law is not what is driven.
 pub fn compare_time_law(speed: &mut Claim, reference: &Reference, stated: &[f64]) {
     let derived = reference.time_law();
     let other = |(_, (t, stated)): &(usize, (&f64, &f64))| {

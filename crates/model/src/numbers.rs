@@ -13,7 +13,7 @@ pub fn length(meters: f64) -> String {
     scaled(meters, "m")
 }
 
-/// A length given in m that is enough: as [`length`] shows it, rounded up, so that whoever follows the advice has done so.
+/// A length given in m that is enough: as [`length`] shows it, rounded up, so that a length as shown suffices.
 pub fn enough_length(meters: f64) -> String {
     length(shown_steps(meters, f64::ceil, -1e-6))
 }

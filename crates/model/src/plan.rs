@@ -94,7 +94,7 @@ pub struct Circle {
 /// The verdict of the rehearsal. Never a proof.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub enum Rehearsal {
-    /// Everything came home and nothing was touched.
+    /// Every object was gathered and nothing else was touched.
     Passed,
     /// What went wrong first.
     Failed {

@@ -78,7 +78,7 @@ pub enum NoPlan {
         /// Where, m.
         place: Point,
     },
-    /// There was not even a start to try.
+    /// There was no start to try.
     NoStart,
 }
 

@@ -16,7 +16,7 @@ const SLEEP_INTERVAL: f64 = 0.02;
 
 /// Two robots, the net, the objects and the obstacles of a scene, in motion.
 ///
-/// Whoever uses it gives and gets SI units. Inside, everything is in units of the machine ([`Units::of_machine`]), so that the
+/// Callers give and get SI units. Inside, everything is in units of the machine ([`Units::of_machine`]), so that the
 /// physics of a scene does not depend on its scale.
 pub struct Simulation {
     /// In SI units.

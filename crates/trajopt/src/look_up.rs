@@ -51,7 +51,7 @@ impl ActiveSet {
     }
 }
 
-/// Fills a block anew with the rows of anchors, which ascend.
+/// Fills a block again with the rows of anchors, which ascend.
 fn look_up<R: Rules<K>, const K: usize>(
     block: &mut Block<R, K>,
     anchors: impl Iterator<Item = R::At>,

@@ -13,7 +13,7 @@ const CLAIM_AHEAD: f64 = 0.15;
 /// At most this many obstacle pieces a robot or line at a waypoint: the nearest ones.
 const MOST_PIECES: usize = 6;
 
-/// The point at which rows are looked up, and lists that are filled anew at every anchor.
+/// The point at which rows are looked up, and lists that are filled again at every anchor.
 pub(crate) struct Sight<'a> {
     pub problem: &'a Problem,
     pub x: &'a Iterate,

@@ -67,7 +67,7 @@ impl Step {
         Self::new(&x.stages[i][k..k + 3], &x.stages[i + 1][k..k + 3])
     }
 
-    /// The same as the solver sees it: that of a robot that is held where it is stands for nothing to be met or mended, and
+    /// The same as the solver sees it: that of a robot that is held where it is stands for nothing that has to be met or removed, and
     /// keeps off every bound.
     #[inline]
     pub fn seen(problem: &Problem, x: &Iterate, i: usize, robot: Side) -> Self {

@@ -12,7 +12,7 @@ const STANDING: f64 = 5.0;
 /// A segment of a track shorter than this part of the usual spacing has no direction.
 const TOO_SHORT: f64 = 0.04;
 
-/// N when nobody gives it: `ceil(1.3 longest / max_step) + 1`, and no fewer than the clock of the tighter robot needs.
+/// N when it is not given: `ceil(1.3 longest / max_step) + 1`, and no fewer than the clock of the tighter robot needs.
 pub(crate) fn waypoint_count(tracks: &Tracks, scene: &Scene) -> usize {
     let length = |t: &[Point]| t.windows(2).map(|w| w[0].distance(w[1])).sum::<f64>();
     let longest = length(&tracks.left).max(length(&tracks.right));

@@ -103,7 +103,7 @@ fn corners(
     Ok(corners)
 }
 
-/// Cost of a straight edge, or `None` when the pair does not fit along it. Its ends may be stops that nobody chose, so
+/// Cost of a straight edge, or `None` when the pair does not fit along it. Its ends may be stops that were not chosen, so
 /// they are not judged.
 fn edge(corridor: &Corridor, a: Point, b: Point) -> Option<f64> {
     let length = a.distance(b);
