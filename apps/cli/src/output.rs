@@ -2,6 +2,7 @@
 
 use crate::exit::Exit;
 use crate::failure::Failure;
+use pairtrawl::model::Warning;
 use schemars::JsonSchema;
 use serde::Serialize;
 use std::io::{self, Write};
@@ -70,7 +71,7 @@ impl<T: Serialize> Report<T> {
         mut self,
         exit: Exit,
         mut text: String,
-        warnings: &[String],
+        warnings: &[Warning],
         files: &[PathBuf],
     ) -> Result<Done, Failure> {
         for warning in warnings {
@@ -83,7 +84,7 @@ impl<T: Serialize> Report<T> {
         if !names.is_empty() {
             text.push_str(&format!("wrote {}\n", names.join(", ")));
         }
-        self.warnings = warnings.to_vec();
+        self.warnings = warnings.iter().map(ToString::to_string).collect();
         self.files = names;
         let json = to_json(&self)?;
         Ok(Done { exit, text, json })

@@ -196,17 +196,23 @@ fn generated_scenes_and_their_witnesses_pass_check() {
 
 #[test]
 fn a_random_centerline_depends_on_its_seed_alone() {
-    let (folder, scene) = folder_with(SMALL);
-    let plan_with = |seed: &str, name: &str| {
+    let folder = tempfile::tempdir().expect("a folder");
+    let scene = library_scene("paper-experiment");
+    let centerline = |seed: &str, name: &str| {
         let out = folder.path().join(name);
+        let how = ["--centerline", "rrt-star", "--seed", seed];
         plan_in(
             &out,
             &scene,
-            &["--no-rehearsal", "--centerline", "rrt-star", "--seed", seed],
+            &[&["--no-rehearsal", "--no-explore"], &how[..]].concat(),
         );
-        std::fs::read_to_string(out.join("plan.csv")).expect("plan.csv")
+        let text = std::fs::read(out.join("plan.json")).expect("plan.json");
+        let plan: Value = serde_json::from_slice(&text).expect("JSON");
+        plan["centerline"].to_string()
     };
-    assert_eq!(plan_with("1", "a"), plan_with("1", "b"));
+    let first = centerline("1", "a");
+    assert_eq!(first, centerline("1", "b"), "the same seed");
+    assert_ne!(first, centerline("2", "c"), "another seed");
 }
 
 #[test]

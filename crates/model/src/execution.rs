@@ -1,4 +1,4 @@
-use crate::{Certificate, Cost, PairPose, RehearsalEventKind, RehearsalFrame, Side};
+use crate::{Certificate, Cost, PairPose, RehearsalEventKind, RehearsalFrame, Side, Warning};
 use pairtrawl_geometry::Point;
 
 /// Several drives of one plan by controllers in the simulated world.
@@ -19,7 +19,7 @@ pub struct Execution {
     /// True when it was stopped before all of them were finished.
     pub interrupted: bool,
     /// Warnings for people.
-    pub warnings: Vec<String>,
+    pub warnings: Vec<Warning>,
 }
 
 impl Execution {

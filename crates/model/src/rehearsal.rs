@@ -1,4 +1,4 @@
-use crate::{PairPose, Rehearsal, Side};
+use crate::{PairPose, Rehearsal, Side, Warning};
 use pairtrawl_geometry::{Point, Pose};
 
 /// What happened when a plan was driven in physics.
@@ -21,14 +21,16 @@ pub struct RehearsalRecord {
     /// What was seen, at even intervals of time; the first frame is the start, the last one the end.
     pub frames: Vec<RehearsalFrame>,
     /// Warnings for people, such as a net that had to be folded to fit at the start.
-    pub warnings: Vec<String>,
+    pub warnings: Vec<Warning>,
 }
 
 impl RehearsalRecord {
     /// The events that count against it: an object that slipped out and was caught again is reported but does no harm.
     pub fn failures(&self) -> impl Iterator<Item = &RehearsalEvent> {
         self.events.iter().filter(|event| match event.kind {
-            RehearsalEventKind::ObjectEscapes { object } => !self.gathered[object],
+            RehearsalEventKind::ObjectEscapes { object } => {
+                self.gathered.get(object) != Some(&true)
+            }
             _ => true,
         })
     }
@@ -145,5 +147,28 @@ impl RehearsalEventKind {
                 format!("object {object} is not in the net at the end")
             }
         }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn an_object_that_comes_back_does_no_harm() {
+        let event = |kind| RehearsalEvent {
+            kind,
+            time: 1.0,
+            place: Point::ZERO,
+        };
+        let escapes = |object| event(RehearsalEventKind::ObjectEscapes { object });
+        let touch = event(RehearsalEventKind::RobotsTouch);
+        let record = RehearsalRecord {
+            events: vec![escapes(0), escapes(1), touch.clone()],
+            gathered: vec![true, false],
+            ..RehearsalRecord::default()
+        };
+        let failures: Vec<_> = record.failures().cloned().collect();
+        assert_eq!(failures, [escapes(1), touch]);
     }
 }

@@ -36,8 +36,73 @@ pub enum Warning {
         /// Where, m.
         place: Point,
     },
-    /// A warning in words: from a file, or from a part of the program that has no data to add.
+    /// The plan that is driven is not certified.
+    Unproven {
+        /// The claims that fail.
+        claims: Vec<ClaimId>,
+    },
+    /// On the smooth curve that is driven a claim fails.
+    CurveFails {
+        /// The claim.
+        claim: ClaimId,
+        /// By how much, in its unit; negative.
+        margin: f64,
+        /// What the claim says about it.
+        detail: String,
+    },
+    /// The net does not fit behind the robots at the start, and begins folded.
+    NetFolded,
+    /// The net fits nowhere behind the robots at the start.
+    NetOverlaps {
+        /// How many of its links overlap something.
+        overlapping: usize,
+        /// How many links it has.
+        links: usize,
+    },
+    /// The net cannot lie on the given line, which has another length.
+    NetOffStartLine {
+        /// The length of `net.start`, m.
+        line: f64,
+        /// The net's length, m.
+        net: f64,
+    },
+    /// A map's threshold makes cells free that are unknown.
+    UnknownCellsFree {
+        /// `free_thresh` of the map.
+        free_threshold: f64,
+        /// How many cells.
+        cells: usize,
+    },
+    /// The pair drives far below what it could.
+    SlowCruise {
+        /// `planner.cruise`, m/s.
+        cruise: f64,
+        /// `robot.v_max`, m/s.
+        v_max: f64,
+    },
+    /// A warning about a file.
+    InFile {
+        /// Its path.
+        file: String,
+        /// What is to be known about it.
+        warning: Box<Warning>,
+    },
+    /// A warning in the words of the plan file that it was read from.
     Stated(String),
+}
+
+impl Warning {
+    /// The same with the lengths of the net in meters, after it was laid in units of `length` meters.
+    #[must_use]
+    pub fn in_meters(self, length: f64) -> Self {
+        match self {
+            Self::NetOffStartLine { line, net } => Self::NetOffStartLine {
+                line: line * length,
+                net: net * length,
+            },
+            other => other,
+        }
+    }
 }
 
 impl fmt::Display for Warning {
@@ -76,13 +141,52 @@ impl fmt::Display for Warning {
                     "the plan is certified, but its rehearsal fails: {event} at {time} near {place}"
                 )
             }
+            Self::Unproven { claims } => {
+                let names: Vec<_> = claims.iter().map(|claim| claim.name()).collect();
+                write!(f, "the plan cannot be proven: {} fails", names.join(", "))
+            }
+            Self::CurveFails {
+                claim,
+                margin,
+                detail,
+            } => {
+                let amount = numbers::quantity(-margin, claim.unit());
+                write!(
+                    f,
+                    "on the smooth curve that is driven, the claim {claim} fails by {amount}: {detail}"
+                )
+            }
+            Self::NetFolded => f.write_str(
+                "the net does not fit as a U behind the robots at the start: it is folded",
+            ),
+            Self::NetOverlaps { overlapping, links } => write!(
+                f,
+                "the net fits neither as a U nor folded behind the robots at the start: {overlapping} of {links} links \
+                 overlap something; give net.start"
+            ),
+            Self::NetOffStartLine { line, net } => write!(
+                f,
+                "net.start is {} long, the net {}: the net lies near that line, not on it",
+                numbers::length(*line),
+                numbers::length(*net)
+            ),
+            Self::UnknownCellsFree {
+                free_threshold,
+                cells,
+            } => write!(
+                f,
+                "free_thresh {free_threshold} makes {cells} cells free that hold gray 205, which map_saver writes for \
+                 unknown cells (occ 0.196): set free_thresh to 0.196 to keep them unknown"
+            ),
+            Self::SlowCruise { cruise, v_max } => write!(
+                f,
+                "planner.cruise is {}, less than a fifth of robot.v_max, {}: the run takes {:.0} times as long as it need",
+                numbers::speed(*cruise),
+                numbers::speed(*v_max),
+                v_max / cruise
+            ),
+            Self::InFile { file, warning } => write!(f, "{file}: {warning}"),
             Self::Stated(words) => f.write_str(words),
         }
-    }
-}
-
-impl From<String> for Warning {
-    fn from(words: String) -> Self {
-        Self::Stated(words)
     }
 }

@@ -96,16 +96,16 @@ impl<'a> Course<'a> {
 
         let trajectory = scales.trajectory(scene, &solution.trajectory);
         let net_length = self.prepared.meters(solution.net_length);
-        // A trajectory without a reference fails its claims for the same reason.
-        let reference = Reference::of_scene(scene, &trajectory).ok();
+        // Without a reference nobody could drive it, whatever its waypoints prove.
+        let reference = Reference::of_scene(scene, &trajectory)?;
         let certificate = run.stage(Stage::Certify, || {
-            certify(scene, net_length, &trajectory, reference.as_ref())
+            certify(scene, net_length, &trajectory, Some(&reference))
         })?;
         let shrunk = solution.shrunk_margins.iter();
         Ok(Attempt {
             net_length,
             trajectory,
-            time_law: reference.map(|law| law.time_law()).unwrap_or_default(),
+            time_law: reference.time_law(),
             certificate,
             solver: SolverReport {
                 status: solution.status,

@@ -2,6 +2,7 @@ use crate::observer::Stage;
 use pairtrawl_certificate::infeasibility::Proof;
 use pairtrawl_geometry::Point;
 use pairtrawl_model::{Claim, SolverStatus, numbers};
+use pairtrawl_reference::ReferenceError;
 use pairtrawl_route::RouteError;
 use pairtrawl_simulation::SimulationError;
 use pairtrawl_world::WorldError;
@@ -69,6 +70,8 @@ pub enum NoPlan {
     },
     /// No way leads past the obstacles, or none was found.
     NoRoute(RouteError),
+    /// No smooth curve leads through the waypoints that were found.
+    NoReference(ReferenceError),
     /// Everything is proven, but no rehearsal passed, and one was required.
     RehearsalFails {
         /// What happened first.
@@ -100,6 +103,7 @@ impl NoPlan {
             Self::ClaimFails { claim, .. } => Some(claim),
             Self::TooFewWaypoints { .. }
             | Self::NoRoute(_)
+            | Self::NoReference(_)
             | Self::RehearsalFails { .. }
             | Self::NoStart => None,
         }
@@ -113,7 +117,10 @@ impl NoPlan {
                 Some(*to)
             }
             Self::RehearsalFails { place, .. } => Some(*place),
-            Self::TooFewWaypoints { .. } | Self::NoRoute(_) | Self::NoStart => None,
+            Self::TooFewWaypoints { .. }
+            | Self::NoRoute(_)
+            | Self::NoReference(_)
+            | Self::NoStart => None,
         }
     }
 
@@ -129,6 +136,14 @@ impl NoPlan {
                      or raise planner.max_step"
                 ));
             }
+            // What stopped early says nothing about the scene.
+            Self::ClaimFails {
+                solver: SolverStatus::IterationLimit | SolverStatus::NumericalTrouble,
+                ..
+            } => {
+                "change what the optimizer starts from: more waypoints (--waypoints), another order (--order given) or \
+                 another search (--centerline rrt-star); nothing says that the scene has no plan"
+            }
             Self::ClaimFails { claim, .. } => claim.id.remedy(),
             Self::NoRoute(RouteError::SearchLimit { .. }) => {
                 "try another seed or --centerline rrt-star, or a smaller area: nothing says that the way is closed"
@@ -137,7 +152,7 @@ impl NoPlan {
             Self::RehearsalFails { .. } => {
                 "raise planner.clearance or lower planner.max_skew, or take the certified plan without --require-rehearsal"
             }
-            Self::NoStart => "report this scene",
+            Self::NoReference(_) | Self::NoStart => "report this scene",
         };
         Some(words.to_owned())
     }
@@ -177,6 +192,7 @@ impl fmt::Display for NoPlan {
                 )
             }
             Self::NoRoute(error) => error.fmt(f),
+            Self::NoReference(error) => error.fmt(f),
             Self::RehearsalFails { event, time, place } => {
                 let (time, place) = (numbers::duration(*time), numbers::place(*place));
                 write!(f, "the rehearsal fails: {event} after {time} near {place}")
@@ -195,6 +211,12 @@ impl From<WorldError> for PlanError {
 impl From<SimulationError> for PlanError {
     fn from(error: SimulationError) -> Self {
         Self::BadInput(error.into())
+    }
+}
+
+impl From<ReferenceError> for PlanError {
+    fn from(error: ReferenceError) -> Self {
+        Self::NoPlan(NoPlan::NoReference(error))
     }
 }
 

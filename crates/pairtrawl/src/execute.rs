@@ -5,7 +5,7 @@ mod recording;
 pub use pairtrawl_execution::*;
 pub use recording::{WriteRecordingError, recording, write_recording};
 
-use pairtrawl_model::{Execution, PairTrajectory, Plan, Scene};
+use pairtrawl_model::{Execution, PairTrajectory, Plan, Scene, Warning};
 use pairtrawl_reference::Reference;
 use std::time::Instant;
 
@@ -44,12 +44,10 @@ pub fn execute_trajectory(
         .claims
         .iter()
         .filter(|claim| !claim.holds)
-        .map(|claim| {
-            let (name, margin) = (claim.id, claim.margin);
-            format!(
-                "on the smooth reference the claim {name} misses by {:.6}: {}",
-                -margin, claim.detail
-            )
+        .map(|claim| Warning::CurveFails {
+            claim: claim.id,
+            margin: claim.margin,
+            detail: claim.detail.clone(),
         })
         .collect();
     let begin = Instant::now();

@@ -7,7 +7,7 @@ use crate::attempt::{Attempt, Course, Origin};
 use crate::error::{NoPlan, PlanError};
 use crate::observer::{Observer, Stage};
 use crate::options::{PlanOptions, RehearsalMode};
-use crate::prepare::prepare;
+use crate::prepare::{Prepared, prepare};
 use crate::run::Run;
 use crate::starts::starts;
 use crate::tighten::Tightening;
@@ -37,13 +37,22 @@ pub fn plan(
 ) -> Result<Planned, PlanError> {
     let mut run = Run::new(options, observer);
     let prepared = prepare(scene, options, &mut run)?;
-    let starts = starts(&prepared, &mut run)?;
+    from_nothing(&prepared, reference, run)
+}
+
+/// Plans a prepared scene from its starts.
+pub(crate) fn from_nothing(
+    prepared: &Prepared,
+    reference: &SceneReference,
+    mut run: Run,
+) -> Result<Planned, PlanError> {
+    let starts = starts(prepared, &mut run)?;
 
     // The best start comes first; the others are tried only while no certified plan is found.
     let mut refused = None;
     for (failed, start) in starts.iter().enumerate() {
-        let course = Course::new(&prepared, &start.order);
-        let line = run.stage(Stage::Centerline, || start.centerline(&prepared))?;
+        let course = Course::new(prepared, &start.order);
+        let line = run.stage(Stage::Centerline, || start.centerline(prepared))?;
         let found = line
             .map_err(|error| prepared.route_error(error))
             .and_then(|line| {

@@ -4,7 +4,7 @@ use crate::attempt::{Course, Origin};
 use crate::error::PlanError;
 use crate::observer::Observer;
 use crate::options::{NetLength, PlanOptions};
-use crate::plan::{Planned, plan, rehearsed};
+use crate::plan::{Planned, from_nothing, plan, rehearsed};
 use crate::prepare::{Prepared, prepare};
 use crate::run::Run;
 use pairtrawl_geometry::Segment;
@@ -64,16 +64,16 @@ impl Planner {
             net_length: Some(NetLength::Fixed(before.net_length)),
             ..self.options.clone()
         };
+        let mut run = Run::new(&options, observer);
+        let prepared = prepare(scene, &options, &mut run)?;
         let ahead = before.trajectory.from_waypoint(passed);
         if ahead.len() >= FEWEST {
-            let mut run = Run::new(&options, observer);
-            let prepared = prepare(scene, &options, &mut run)?;
-            match warm(&prepared, &ahead, reference, run) {
-                Err(PlanError::NoPlan(_)) => {}
+            match warm(&prepared, &ahead, reference, &mut run) {
+                Err(PlanError::NoPlan(_)) => run.round += 1,
                 ended => return ended,
             }
         }
-        let mut planned = plan(scene, reference, &options, observer)?;
+        let mut planned = from_nothing(&prepared, reference, run)?;
         planned.plan.warnings.push(Warning::PlannedFromNothing);
         Ok(planned)
     }
@@ -84,17 +84,17 @@ fn warm(
     prepared: &Prepared,
     ahead: &PairTrajectory,
     reference: &SceneReference,
-    mut run: Run,
+    run: &mut Run,
 ) -> Result<Planned, PlanError> {
     let ahead = prepared.scales.scaled_trajectory(ahead);
     let net_length = prepared.net_length.unwrap_or_default();
     let order = swept_order(prepared, &ahead);
     let course = Course::new(prepared, &order);
-    let (attempt, rehearsal) = rehearsed(&course, &Origin::Before(&ahead, net_length), &mut run)?;
+    let (attempt, rehearsal) = rehearsed(&course, &Origin::Before(&ahead, net_length), run)?;
     Ok(Planned {
         plan: attempt.into_plan(&course, reference, rehearsal.as_ref()),
         rehearsal,
-        stages: run.stages,
+        stages: run.stages.clone(),
     })
 }
 

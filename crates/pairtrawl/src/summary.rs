@@ -11,7 +11,7 @@ pub use execution::summarize_execution;
 
 use pairtrawl_geometry::{Point, Segment, SweptLine};
 use pairtrawl_model::{
-    Event, PairTrajectory, Plan, RehearsalRecord, Scene, SceneOutline, StageTime, Summary, Warning,
+    Event, PairTrajectory, Plan, RehearsalRecord, Scene, SceneOutline, StageTime, Summary,
 };
 
 /// Computes the summary of a plan: curves over time, exact clearances, when each object is swept, path lengths.
@@ -35,12 +35,7 @@ pub fn summarize(
             .flat_map(|r| panels::of_rehearsal(scene, r)),
     );
     let mut warnings = plan.warnings.clone();
-    warnings.extend(
-        rehearsal
-            .iter()
-            .flat_map(|r| r.warnings.clone())
-            .map(Warning::Stated),
-    );
+    warnings.extend(rehearsal.iter().flat_map(|r| r.warnings.clone()));
     Summary {
         title: scene.name.clone(),
         net_length: plan.net_length,
@@ -111,7 +106,7 @@ mod tests {
     use pairtrawl_geometry::Pose;
     use pairtrawl_model::{
         Area, Cost, Footprint, NetSpec, Object, Obstacle, PairPose, Rehearsal, RehearsalFrame,
-        SolverReport, SolverStatus,
+        SolverReport, SolverStatus, Warning,
     };
 
     /// A pair that drives 2 m along +x, 1 m apart, past a box above it and over one object.
@@ -302,7 +297,7 @@ mod tests {
         };
         let record = RehearsalRecord {
             frames: (0..5000).map(frame).collect(),
-            warnings: vec!["two".to_owned()],
+            warnings: vec![Warning::Stated("two".to_owned())],
             ..Default::default()
         };
         let summary = summarize(&scene, &plan(&scene), &[], Some(&record));

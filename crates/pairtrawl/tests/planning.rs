@@ -103,18 +103,79 @@ fn an_observer_stops_it_at_any_question() {
     }
 }
 
+/// Makes one stage outlast the time limit.
+struct Slow {
+    stage: Stage,
+    pause: Duration,
+}
+
+impl Observer for Slow {
+    fn started(&mut self, stage: Stage, _round: usize) {
+        if stage == self.stage {
+            std::thread::sleep(self.pause);
+        }
+    }
+}
+
 #[test]
 fn the_time_limit_names_the_stage() {
-    let loaded = scene("paper-simulation");
+    let loaded = scene("witness-9");
+    let limit = Duration::from_secs(2);
     let options = PlanOptions {
-        time_limit: Some(Duration::from_micros(1)),
+        time_limit: Some(limit),
+        explore: false,
         ..quick()
     };
-    let refused = plan(&loaded.scene, &loaded.reference, &options, &mut ());
-    assert!(
-        matches!(refused, Err(PlanError::TimeLimit { .. })),
-        "{refused:?}"
-    );
+    for stage in [Stage::World, Stage::Order] {
+        let mut slow = Slow {
+            stage,
+            pause: limit,
+        };
+        let refused = plan(&loaded.scene, &loaded.reference, &options, &mut slow);
+        let error = refused.expect_err("the time is up");
+        assert_eq!(error, PlanError::TimeLimit { limit: 2.0, stage });
+        assert!(error.to_string().contains(stage.name()), "{error}");
+    }
+}
+
+/// Interrupts a stage that has asked so many times.
+struct StopsIn {
+    stage: Stage,
+    running: Option<Stage>,
+    questions: AtomicUsize,
+}
+
+impl Observer for StopsIn {
+    fn started(&mut self, stage: Stage, _round: usize) {
+        self.running = Some(stage);
+    }
+
+    fn finished(&mut self, stage: Stage, _seconds: f64) {
+        // A stage that asks seldom has come to its end before it could be stopped.
+        if stage == self.stage && self.questions.load(Ordering::Relaxed) > 0 {
+            self.running = None;
+        }
+    }
+
+    fn interrupted(&self) -> bool {
+        self.running == Some(self.stage)
+            && (self.questions)
+                .fetch_update(Ordering::Relaxed, Ordering::Relaxed, |n| n.checked_sub(1))
+                .is_err()
+    }
+}
+
+#[test]
+fn exploring_is_interrupted_between_iterations() {
+    let loaded = scene("witness-9");
+    let mut watch = StopsIn {
+        stage: Stage::Explore,
+        running: None,
+        questions: AtomicUsize::new(20),
+    };
+    let stopped = plan(&loaded.scene, &loaded.reference, &quick(), &mut watch);
+    assert_eq!(stopped.unwrap_err(), PlanError::Interrupted);
+    assert_eq!(watch.running, Some(Stage::Explore));
 }
 
 #[test]

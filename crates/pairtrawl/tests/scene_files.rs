@@ -519,7 +519,7 @@ fn a_slow_cruise_speed_is_warned_about() {
         parse_scene(&text, "hall.toml").unwrap().warnings
     };
     assert!(warnings(0.06).is_empty());
-    let slow = warnings(0.02);
+    let slow: Vec<_> = warnings(0.02).iter().map(ToString::to_string).collect();
     assert!(
         slow.len() == 1 && slow[0].contains("planner.cruise") && slow[0].contains("13 times"),
         "{slow:?}"

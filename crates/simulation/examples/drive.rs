@@ -76,7 +76,7 @@ fn report(record: &RehearsalRecord, seconds: f64) -> Value {
         "verdict": format!("{:?}", record.verdict), "events": events, "gathered": record.gathered,
         "max_tension": record.max_tension, "max_deviation": record.max_deviation,
         "mean_drive_force": record.mean_drive_force, "duration": record.duration,
-        "real_time_factor": record.duration / seconds, "frames": frames, "warnings": record.warnings,
+        "real_time_factor": record.duration / seconds, "frames": frames, "warnings": record.warnings.iter().map(ToString::to_string).collect::<Vec<_>>(),
     })
 }
 

@@ -9,7 +9,7 @@ use crate::engine::unit;
 use crate::objects::distance_to_segment;
 use crate::{Base, Parameters, SimulationError};
 use pairtrawl_geometry::{Point, Pose};
-use pairtrawl_model::{Footprint, Scene};
+use pairtrawl_model::{Footprint, Scene, Warning};
 use rapier2d_f64::parry::math::Pose as Isometry;
 use rapier2d_f64::parry::query::intersection_test;
 use rapier2d_f64::parry::shape::{Ball, Cuboid, SharedShape};
@@ -23,7 +23,7 @@ const BISECTIONS: usize = 200;
 /// Nodes of the net at the start (left hitch, hinges, right hitch), and a warning when it had to be folded or bent.
 pub(crate) struct NetStart {
     pub(crate) nodes: Vec<Point>,
-    pub(crate) warning: Option<String>,
+    pub(crate) warning: Option<Warning>,
 }
 
 /// What a link must not overlap at the start.
@@ -75,21 +75,17 @@ pub(crate) fn lay(
                 best = (overlaps, nodes);
             }
             if best.0 == 0 {
-                let warning = Some(
-                    "the net does not fit as a U behind the robots at the start: it is folded"
-                        .to_owned(),
-                );
                 return Ok(NetStart {
                     nodes: best.1,
-                    warning,
+                    warning: Some(Warning::NetFolded),
                 });
             }
         }
     }
-    let warning = format!(
-        "the net fits neither as a U nor folded behind the robots at the start: {} of {} links overlap something; give net.start",
-        best.0, parameters.links
-    );
+    let warning = Warning::NetOverlaps {
+        overlapping: best.0,
+        links: parameters.links,
+    };
     Ok(NetStart {
         nodes: best.1,
         warning: Some(warning),
@@ -216,8 +212,9 @@ fn follow(
     }
     close(&mut nodes, hitches, parameters.link_length);
     let off = (total - net_length).abs();
-    let warning = (off > 0.02 * net_length).then(|| {
-        format!("net.start is {total:.3} m long, the net {net_length:.3} m: the net lies near that line, not on it")
+    let warning = (off > 0.02 * net_length).then_some(Warning::NetOffStartLine {
+        line: total,
+        net: net_length,
     });
     Ok(NetStart { nodes, warning })
 }

@@ -8,7 +8,7 @@ use crate::{
     Options, Parameters, RobotDrive, RobotLoad, RobotState, SimulationError, obstacles, tag,
 };
 use pairtrawl_geometry::{Point, Pose};
-use pairtrawl_model::{PairPose, Scene, Units};
+use pairtrawl_model::{PairPose, Scene, Units, Warning};
 use rapier2d_f64::prelude::PhysicsWorld;
 
 /// Objects are woken and put to sleep this often: at a speed of 0.5 things move a third of the wake distance meanwhile.
@@ -29,7 +29,7 @@ pub struct Simulation {
     net: Net,
     objects: Objects,
     steps: u64,
-    warnings: Vec<String>,
+    warnings: Vec<Warning>,
 }
 
 impl Simulation {
@@ -84,7 +84,9 @@ impl Simulation {
             net,
             objects,
             steps: 0,
-            warnings: laid.warning.into_iter().collect(),
+            warnings: (laid.warning.into_iter())
+                .map(|warning| warning.in_meters(units.length))
+                .collect(),
         })
     }
 
@@ -229,7 +231,7 @@ impl Simulation {
     }
 
     /// Warnings for people, from setting up.
-    pub fn warnings(&self) -> &[String] {
+    pub fn warnings(&self) -> &[Warning] {
         &self.warnings
     }
 }

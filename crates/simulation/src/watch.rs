@@ -132,13 +132,7 @@ impl Watch {
                 );
             }
         }
-        let gathered = &self.record.gathered;
-        // An object that slipped out and was caught again is reported but does no harm.
-        let counts = |event: &&RehearsalEvent| match event.kind {
-            Kind::ObjectEscapes { object } => !gathered[object],
-            _ => true,
-        };
-        self.record.verdict = match self.record.events.iter().find(counts) {
+        let verdict = match self.record.failures().next() {
             None => Rehearsal::Passed,
             Some(event) => Rehearsal::Failed {
                 event: event.kind.describe(),
@@ -146,6 +140,7 @@ impl Watch {
                 place: event.place,
             },
         };
+        self.record.verdict = verdict;
         self.record
     }
 

@@ -4,7 +4,7 @@ mod scenes;
 
 use pairtrawl_geometry::{Point, Pose};
 use pairtrawl_model::{
-    OccupancyMap, Rehearsal, RehearsalEventKind as Kind, RehearsalRecord, Scene, Side,
+    OccupancyMap, Rehearsal, RehearsalEventKind as Kind, RehearsalRecord, Scene, Side, Warning,
 };
 use pairtrawl_simulation::{Options, Simulation, SimulationError, rehearse};
 use scenes::{block, cube, empty, straight};
@@ -177,7 +177,7 @@ fn the_net_is_folded_where_a_wall_is_in_its_way() {
     scene.obstacles.push(block(-3.0, -1.5, 3.0, -0.65));
     let simulation = Simulation::new(&scene, 2.4, &Options::default()).unwrap();
     assert!(
-        simulation.warnings().iter().any(|w| w.contains("folded")),
+        simulation.warnings().contains(&Warning::NetFolded),
         "{:?}",
         simulation.warnings()
     );

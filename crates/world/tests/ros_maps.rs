@@ -204,7 +204,11 @@ fn thresholds_are_strict_and_a_free_threshold_over_the_unknown_gray_warns() {
         .warnings
     };
     assert_eq!(warnings(0.25, &[205, 254], false).len(), 1);
-    assert!(warnings(0.25, &[205, 205], false)[0].contains("2 cells"));
+    assert!(
+        warnings(0.25, &[205, 205], false)[0]
+            .to_string()
+            .contains("2 cells")
+    );
     assert!(warnings(0.196, &[205, 254], false).is_empty());
     assert!(warnings(0.25, &[204, 254], false).is_empty());
     assert!(warnings(0.25, &[205, 254], true).is_empty());

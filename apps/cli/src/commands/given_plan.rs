@@ -4,7 +4,7 @@ use crate::exit::Exit;
 use crate::failure::{Details, Failure};
 use crate::progress::Progress;
 use pairtrawl::files::{LoadedScene, read_plan};
-use pairtrawl::model::{Claim, Plan};
+use pairtrawl::model::{Claim, Plan, Warning};
 use pairtrawl::{PlanOptions, RehearsalMode};
 use std::path::Path;
 
@@ -25,14 +25,14 @@ pub fn given_plan(loaded: &LoadedScene, file: Option<&Path>) -> Result<Plan, Fai
 }
 
 /// What is wrong with a plan that cannot be proven; `None`: every claim holds.
-pub fn unproven(plan: &Plan) -> Option<String> {
-    let failed: Vec<_> = failed(plan).map(|claim| claim.id.name()).collect();
-    (!failed.is_empty()).then(|| format!("the plan cannot be proven: {} fails", failed.join(", ")))
+pub fn unproven(plan: &Plan) -> Option<Warning> {
+    let claims: Vec<_> = failed(plan).map(|claim| claim.id).collect();
+    (!claims.is_empty()).then_some(Warning::Unproven { claims })
 }
 
 /// Refuses a plan that cannot be proven.
 pub fn refuse_unproven(plan: &Plan) -> Result<(), Failure> {
-    let Some(message) = unproven(plan) else {
+    let Some(warning) = unproven(plan) else {
         return Ok(());
     };
     let worst = failed(plan).min_by(|a, b| a.margin.total_cmp(&b.margin));
@@ -43,7 +43,7 @@ pub fn refuse_unproven(plan: &Plan) -> Result<(), Failure> {
             margin: worst.map(|claim| claim.margin),
             ..Details::at(worst.and_then(|claim| claim.place))
         },
-        ..Failure::new(Exit::Invalid, message)
+        ..Failure::new(Exit::Invalid, warning.to_string())
             .with_help("`pairtrawl check` shows where; --unproven drives it all the same")
     })
 }

@@ -9,7 +9,7 @@ use crate::plan_text::plan_text;
 use crate::progress::Progress;
 use crate::results::{Results, in_folder};
 use pairtrawl::files::{self, LoadedScene};
-use pairtrawl::model::{Plan, Scene, Side, SolverStatus, Summary, Warning};
+use pairtrawl::model::{Plan, Scene, Side, SolverStatus, Summary};
 use pairtrawl::reference::Reference;
 use schemars::JsonSchema;
 use serde::Serialize;
@@ -125,18 +125,17 @@ fn plan_and_write(
     planned
         .plan
         .warnings
-        .splice(0..0, loaded.warnings.iter().cloned().map(Warning::Stated));
+        .splice(0..0, loaded.warnings.iter().cloned());
     let summary = pairtrawl::summarize(
         &loaded.scene,
         &planned.plan,
         &planned.stages,
         planned.rehearsal.as_ref(),
     );
-    let warnings: Vec<String> = summary.warnings.iter().map(ToString::to_string).collect();
     let files = write(results, &loaded.scene, &planned.plan, &summary)?;
     Report::new(command, Exit::Done, PlanReport::from(&summary))
         .scene(&summary.title)
-        .done(Exit::Done, plan_text(&summary), &warnings, &files)
+        .done(Exit::Done, plan_text(&summary), &summary.warnings, &files)
 }
 
 /// Writes the plan last.

@@ -9,7 +9,7 @@ mod shapes;
 use super::limits::{SCENE_BYTES, read_bounded, text};
 use super::toml_reader::{Document, Table};
 use super::{FileError, Problem, sha256_hex};
-use pairtrawl_model::{PairPose, Scene, SceneReference};
+use pairtrawl_model::{PairPose, Scene, SceneReference, Warning};
 use std::path::Path;
 use toml::de::DeTable;
 
@@ -24,7 +24,7 @@ pub struct LoadedScene {
     /// Its name and the hash of its files.
     pub reference: SceneReference,
     /// What a person should know: thresholds, a slow cruise speed.
-    pub warnings: Vec<String>,
+    pub warnings: Vec<Warning>,
 }
 
 /// Reads and checks a scene file and the map that it names.

@@ -1,7 +1,7 @@
 use super::error::RosMapError;
 use super::metadata::{MapMetadata, Mode};
 use super::raster::{Pixel, pixels, read_image};
-use pairtrawl_model::OccupancyMap;
+use pairtrawl_model::{OccupancyMap, Warning};
 
 /// The gray that map_saver writes for unknown cells, of 255.
 const UNKNOWN_GRAY: f64 = 205.0;
@@ -25,7 +25,7 @@ pub struct DecodedMap {
     /// The same as obstacles.
     pub map: OccupancyMap,
     /// What a person should know about it.
-    pub warnings: Vec<String>,
+    pub warnings: Vec<Warning>,
 }
 
 /// Decodes the image of a map.
@@ -101,7 +101,7 @@ fn is_blocked(metadata: &MapMetadata, value: Option<u8>, unknown: Unknown) -> bo
 }
 
 /// map_saver writes unknown cells as gray 205, occ 0.196: a free threshold above that makes them free.
-fn threshold_warning(metadata: &MapMetadata, pixels: &[Pixel]) -> Option<String> {
+fn threshold_warning(metadata: &MapMetadata, pixels: &[Pixel]) -> Option<Warning> {
     let unknown_shade = UNKNOWN_GRAY / 255.0;
     if metadata.mode == Mode::Raw || occ(metadata, unknown_shade) >= metadata.free_thresh {
         return None;
@@ -110,11 +110,8 @@ fn threshold_warning(metadata: &MapMetadata, pixels: &[Pixel]) -> Option<String>
         .iter()
         .filter(|p| (p.shade - unknown_shade).abs() < 1e-9)
         .count();
-    (count > 0).then(|| {
-        format!(
-            "free_thresh {} makes {count} cells free that hold gray 205, which map_saver writes for unknown cells (occ 0.196): \
-             set free_thresh to 0.196 to keep them unknown",
-            metadata.free_thresh
-        )
+    (count > 0).then_some(Warning::UnknownCellsFree {
+        free_threshold: metadata.free_thresh,
+        cells: count,
     })
 }

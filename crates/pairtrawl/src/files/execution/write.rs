@@ -60,7 +60,7 @@ fn file(execution: &Execution, options: &ExecutionOptions, scene: &SceneReferenc
         trials: (execution.trials.iter())
             .map(|drive| trial(execution, drive))
             .collect(),
-        warnings: execution.warnings.clone(),
+        warnings: execution.warnings.iter().map(ToString::to_string).collect(),
     }
 }
 

@@ -5,7 +5,7 @@ use crate::files::limits::{MAP_IMAGE_BYTES, MAP_YAML_BYTES};
 use crate::files::toml_reader::{FARTHEST, Range, Table, Value};
 use crate::files::{FileError, Problem};
 use pairtrawl_geometry::Point;
-use pairtrawl_model::{Area, OccupancyMap, Robot, RobotSize, Scales};
+use pairtrawl_model::{Area, OccupancyMap, Robot, RobotSize, Scales, Warning};
 use pairtrawl_world::ros_map::{MapMetadata, Unknown, decode};
 use pairtrawl_world::{WorldError, grid_size};
 use std::path::Path;
@@ -19,7 +19,7 @@ pub(super) struct ReadArea {
     pub map: Option<OccupancyMap>,
     /// The map's YAML and its image.
     pub hashed: Vec<Vec<u8>>,
-    pub warnings: Vec<String>,
+    pub warnings: Vec<Warning>,
 }
 
 pub(super) fn read(
@@ -147,8 +147,11 @@ fn from_map(
     check_grid(robot, width, height, map.resolution).map_err(|e| FileError::new(&yaml_path, e))?;
     let warnings = decoded
         .warnings
-        .iter()
-        .map(|w| format!("{}: {w}", yaml_path.display()))
+        .into_iter()
+        .map(|warning| Warning::InFile {
+            file: yaml_path.display().to_string(),
+            warning: Box::new(warning),
+        })
         .collect();
     Ok(ReadArea {
         area,

@@ -3,8 +3,7 @@
 use crate::files::FileError;
 use crate::files::toml_reader::Range::{Length, NotNegative, Positive, UpTo};
 use crate::files::toml_reader::{Range, Table};
-use pairtrawl_model::numbers::speed;
-use pairtrawl_model::{NetSpec, PhysicsParameters, PlannerParameters, Robot, RobotSize};
+use pairtrawl_model::{NetSpec, PhysicsParameters, PlannerParameters, Robot, RobotSize, Warning};
 use std::f64::consts::{FRAC_PI_2, PI};
 
 /// Bounds that keep a run finite.
@@ -55,7 +54,7 @@ pub(super) fn net(root: &Table<'_>) -> Result<NetSpec, FileError> {
 pub(super) fn planner(
     root: &Table<'_>,
     robot: &Robot,
-    warnings: &mut Vec<String>,
+    warnings: &mut Vec<Warning>,
 ) -> Result<PlannerParameters, FileError> {
     let size = RobotSize::of(robot);
     let mut p = size.planner(robot);
@@ -91,12 +90,10 @@ pub(super) fn planner(
         &["circle_margin", "waypoints", "alternations"],
     )?;
     if p.cruise < SLOW * robot.v_max {
-        warnings.push(format!(
-            "planner.cruise is {}, less than a fifth of robot.v_max, {}: the run takes {:.0} times as long as it need",
-            speed(p.cruise),
-            speed(robot.v_max),
-            robot.v_max / p.cruise
-        ));
+        warnings.push(Warning::SlowCruise {
+            cruise: p.cruise,
+            v_max: robot.v_max,
+        });
     }
     if let Some(value) = table.get("circle_margin") {
         p.circle_margin = Some(value.number(NotNegative)?);
