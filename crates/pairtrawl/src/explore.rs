@@ -2,8 +2,7 @@
 
 use crate::options::Method;
 use crate::prepare::Prepared;
-use crate::start::Start;
-use crate::starts::Candidates;
+use crate::start::{Candidates, Start};
 use pairtrawl_model::{PairTrajectory, Side, SolverStatus};
 use pairtrawl_route::with_lead;
 use pairtrawl_trajopt::{Problem, Settings, optimize_watched};

@@ -21,6 +21,14 @@ pub(crate) struct Start {
     pair: Option<PairTrajectory>,
 }
 
+/// Starts before they are compared.
+pub(crate) struct Candidates {
+    /// In the order in which they are tried.
+    pub starts: Vec<Start>,
+    /// How many of them, from the first one on, are worth comparing.
+    pub explored: usize,
+}
+
 /// What sets a start apart.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(crate) enum StartName {

@@ -6,7 +6,7 @@ use crate::observer::Stage;
 use crate::options::OrderMethod;
 use crate::prepare::Prepared;
 use crate::run::Run;
-use crate::start::{Start, StartName};
+use crate::start::{Candidates, Start, StartName};
 use pairtrawl_route::{RouteError, visiting_orders};
 use pairtrawl_world::World;
 
@@ -18,14 +18,6 @@ pub(crate) fn starts(prepared: &Prepared, run: &mut Run) -> Result<Vec<Start>, P
     run.watched_stage(Stage::Explore, |may_go_on| {
         explore(candidates, prepared, may_go_on)
     })
-}
-
-/// Starts before they are compared.
-pub(crate) struct Candidates {
-    /// In the order in which they are tried.
-    pub starts: Vec<Start>,
-    /// How many of them, from the first one on, are worth comparing.
-    pub explored: usize,
 }
 
 /// Visiting orders from the shortest way on, then the same by RRT*, then the scene's own order. Whatever the user fixed

@@ -3,9 +3,9 @@ use super::file::{
     ExecutionFigures, File, FileConditions, FileDrag, FileEnd, FileEvent, FileOptions,
     FileReference, FileTracking, FileTrial, Quantiles, Sides,
 };
-use crate::execute::{ExecutionOptions, quantile};
 use crate::files::parts::{FileClaim, FileCost, Reference, finite};
 use crate::files::{FileError, write_atomically};
+use pairtrawl_execution::{ExecutionOptions, quantile};
 use pairtrawl_geometry::Pose;
 use pairtrawl_model::{
     DragStatistics, Execution, ExecutionEvent, SceneReference, TrackingStatistics, Trial,
