@@ -74,6 +74,6 @@ def built_in():
 
 def ours(scenario, **extra):
     """What `examples/drive.rs` prints for a run: its record as JSON, or an export."""
-    command = ["cargo", "run", "--quiet", "--release", "-p", "pairtrawl-simulation", "--example", "drive"]
+    command = ["cargo", "run", "--quiet", "--release", "-p", "pairtrawl-execution", "--example", "drive"]
     text = json.dumps(scenario | extra)
     return subprocess.run(command, input=text, capture_output=True, text=True, cwd=ROOT, check=True).stdout

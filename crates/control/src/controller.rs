@@ -6,6 +6,7 @@ use crate::{
     Step, TorqueLimiter, TrackingError, TrackingGains, Velocity, WheelTorque, desired_velocity,
     model_based_force,
 };
+use core::fmt;
 
 /// Which law turns the desired velocity into force.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -55,10 +56,23 @@ pub enum StopCause {
     StalePose,
     /// A reference was not finite or not plausible.
     InvalidReference,
-    /// A measured velocity was not finite or not plausible.
+    /// A measured velocity was missing, not finite or not plausible.
     InvalidVelocity,
     /// The pair's supervisor said so.
     Supervisor,
+}
+
+impl fmt::Display for StopCause {
+    /// The cause in a few words, for people.
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.write_str(match self {
+            Self::InvalidPose => "a pose that is not finite or not plausible",
+            Self::StalePose => "no recent pose",
+            Self::InvalidReference => "a reference that is not finite or not plausible",
+            Self::InvalidVelocity => "no plausible velocity",
+            Self::Supervisor => "the pair was stopped",
+        })
+    }
 }
 
 /// What a controller is doing.
@@ -108,6 +122,7 @@ pub struct RobotController<T> {
     since_track: T,
     saturated: bool,
     ramp: StopRamp<T>,
+    commanded: Velocity<T>,
 }
 
 impl<T: Real> RobotController<T> {
@@ -141,6 +156,7 @@ impl<T: Real> RobotController<T> {
             since_track: T::ZERO,
             saturated: false,
             ramp: StopRamp::default(),
+            commanded: Velocity::default(),
         })
     }
 
@@ -177,6 +193,10 @@ impl<T: Real> RobotController<T> {
     ///
     /// Always finite, within the torque and rate limits. A `dt` that is not in (0, 0.1] s counts as 0: torque then holds.
     pub fn torque(&mut self, velocity: Velocity<T>, dt: T) -> WheelTorque<T> {
+        self.advance(Some(velocity), dt)
+    }
+
+    fn advance(&mut self, velocity: Option<Velocity<T>>, dt: T) -> WheelTorque<T> {
         let dt = if dt > T::ZERO && dt <= T::of(0.1) {
             dt
         } else {
@@ -185,19 +205,23 @@ impl<T: Real> RobotController<T> {
         if self.guard.advance(dt).is_err() {
             self.stop(StopCause::StalePose);
         }
-        let body = if self.limits.accepts(velocity) {
+        let sound = velocity.filter(|velocity| self.limits.accepts(*velocity));
+        let body = if let Some(velocity) = sound {
             self.velocity = velocity;
             self.estimator.advance(velocity, dt);
             self.force(dt)
         } else {
-            // Blind: no feedback is possible, friction brakes.
             self.stop(StopCause::InvalidVelocity);
-            self.advance_ramp(dt);
-            BodyForce::default()
+            self.blind_force(dt)
         };
         let (torque, saturated) = self.limiter.limit(self.model.wheel_torque(body), dt);
         self.saturated = saturated;
         torque
+    }
+
+    /// The torque loop without a measured velocity: the robot brakes without feedback and stops (latched).
+    pub fn blind(&mut self, dt: T) -> WheelTorque<T> {
+        self.advance(None, dt)
     }
 
     /// Starts a smooth stop, which stays latched; a stop under way keeps its first cause.
@@ -211,8 +235,13 @@ impl<T: Real> RobotController<T> {
                     Law::Integral(law) => law.accumulated(),
                     Law::Mrac(law) => law.adapted().bias.map(|b| -b),
                 };
+                // From the measured velocity: a robot that is held or not yet under way must not be driven on by its stop.
+                let (v, bound) = (self.velocity, self.limits.desired);
                 self.ramp = StopRamp {
-                    velocity: self.desired.velocity,
+                    velocity: Velocity {
+                        linear: v.linear.limited(bound.linear),
+                        angular: v.angular.limited(bound.angular),
+                    },
                     bias,
                     elapsed: T::ZERO,
                 };
@@ -249,6 +278,12 @@ impl<T: Real> RobotController<T> {
         &self.desired
     }
 
+    /// The velocity that the robot is to have now, for robots that take velocities instead of torques: the desired one while it
+    /// follows its reference, what is left of the first one while it stops, else zero.
+    pub fn commanded(&self) -> Velocity<T> {
+        self.commanded
+    }
+
     /// True when the last torque was cut by a limit.
     pub fn is_saturated(&self) -> bool {
         self.saturated
@@ -269,7 +304,10 @@ impl<T: Real> RobotController<T> {
     /// tau_bar of the current mode.
     fn force(&mut self, dt: T) -> BodyForce<T> {
         match self.mode {
-            Mode::Armed => BodyForce::default(),
+            Mode::Armed => {
+                self.commanded = Velocity::default();
+                BodyForce::default()
+            }
             Mode::Running => self.law_force(dt),
             Mode::Stopping(_) | Mode::Stopped(_) => self.stop_force(dt),
         }
@@ -296,6 +334,7 @@ impl<T: Real> RobotController<T> {
             },
             ..*d
         };
+        self.commanded = desired.velocity;
         let step = Step {
             dt,
             saturated: self.saturated,
@@ -311,18 +350,41 @@ impl<T: Real> RobotController<T> {
         }
     }
 
-    /// Velocity feedback to a desired velocity that falls to zero as 1 - 3 s^2 + 2 s^3.
+    /// Velocity feedback to a velocity that falls from the measured one to zero as 1 - 3 s^2 + 2 s^3.
     fn stop_force(&mut self, dt: T) -> BodyForce<T> {
-        let left = self.advance_ramp(dt);
-        let (v0, b, k) = (
-            self.ramp.velocity,
-            self.ramp.bias,
-            self.limits.stop_feedback,
-        );
+        let left = self.stop_velocity(dt);
+        let (wanted, b, k) = (self.commanded, self.ramp.bias, self.limits.stop_feedback);
         BodyForce {
-            force: left * b[0] + k[0] * (left * v0.linear - self.velocity.linear),
-            torque: left * b[1] + k[1] * (left * v0.angular - self.velocity.angular),
+            force: left * b[0] + k[0] * (wanted.linear - self.velocity.linear),
+            torque: left * b[1] + k[1] * (wanted.angular - self.velocity.angular),
         }
+    }
+
+    /// A stop without feedback: what holds the learned drag, less most of what the fall of the velocity takes. Never all of it, so
+    /// that the robot is not driven back; friction does the rest, and all of the turning, whose inertia is known less well.
+    fn blind_force(&mut self, dt: T) -> BodyForce<T> {
+        self.stop_velocity(dt);
+        if !matches!(self.mode, Mode::Stopping(_)) {
+            return BodyForce::default();
+        }
+        let time = self.limits.stop_time;
+        let s = self.ramp.elapsed / time;
+        let deceleration = T::of(6.0) * s * (T::ONE - s) / time * self.ramp.velocity.linear;
+        BodyForce {
+            force: self.ramp.bias[0] - T::of(0.8) * self.model.mass * deceleration,
+            torque: T::ZERO,
+        }
+    }
+
+    /// Moves the stop on, sets the velocity that it asks for and returns the part of the first one that is left.
+    fn stop_velocity(&mut self, dt: T) -> T {
+        let left = self.advance_ramp(dt);
+        let first = self.ramp.velocity;
+        self.commanded = Velocity {
+            linear: left * first.linear,
+            angular: left * first.angular,
+        };
+        left
     }
 
     /// Moves the stop on and returns the part of the first velocity that is left, 1 to 0.

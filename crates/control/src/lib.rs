@@ -36,5 +36,7 @@ pub use mrac::{AdaptedParameters, InertiaSplit, MracGains, MracLaw};
 pub use parameter::ParameterError;
 pub use real::Real;
 pub use state::{BodyForce, Pose, ReferenceSample, Step, Velocity, WheelTorque};
-pub use supervisor::{PairState, PairStopCause, PairSupervisor, RobotReport, SupervisorLimits};
+pub use supervisor::{
+    PairRobot, PairState, PairStopCause, PairSupervisor, RobotReport, SupervisorLimits,
+};
 pub use tracking::{Desired, TrackingError, TrackingForm, TrackingGains, desired_velocity};

@@ -1,14 +1,25 @@
 //! Stops both robots together. Each robot may run its own copy: it needs its partner's reports only.
 
 use crate::parameter::positive;
-use crate::{ParameterError, Real};
+use crate::{ParameterError, Real, StopCause};
+use core::fmt;
+
+/// Which of the two robots.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum PairRobot {
+    /// The left one.
+    Left,
+    /// The right one.
+    Right,
+}
 
 /// When the pair stops.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct SupervisorLimits<T> {
     /// Greatest distance of a robot from its reference, m.
     pub tracking_error: T,
-    /// Greatest time without a word from a robot, s.
+    /// Greatest time without a word from a robot, s. Below [`crate::Limits::pose_age`] less the age of a fresh pose, so that a robot that
+    /// falls silent is named as such.
     pub silence: T,
     /// Strength of the net: greatest tension at a hitch, N.
     pub tension: T,
@@ -18,7 +29,7 @@ impl<T: Real> Default for SupervisorLimits<T> {
     fn default() -> Self {
         Self {
             tracking_error: T::of(0.25),
-            silence: T::of(0.2),
+            silence: T::of(0.1),
             tension: T::of(10.0),
         }
     }
@@ -33,8 +44,8 @@ pub struct RobotReport<T> {
     pub silence: T,
     /// Tension at its hitch, N; 0 when it has no sensor.
     pub tension: T,
-    /// True when it stops or stands for a reason of its own.
-    pub stopped: bool,
+    /// Why it stops or stands for a reason of its own; `None`: it does not.
+    pub stopped: Option<StopCause>,
 }
 
 /// Why the pair stops.
@@ -47,9 +58,22 @@ pub enum PairStopCause {
     /// The net is about to tear.
     Tension,
     /// A robot stopped by itself.
-    RobotStopped,
+    RobotStopped(StopCause),
     /// A report held a number that is not finite.
     InvalidReport,
+}
+
+impl fmt::Display for PairStopCause {
+    /// The cause in a few words about the robot, for people.
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match self {
+            Self::TrackingError => f.write_str("too far from its reference"),
+            Self::Silence => f.write_str("silent for too long"),
+            Self::Tension => f.write_str("tension above the strength of the net"),
+            Self::RobotStopped(cause) => write!(f, "it stopped by itself: {cause}"),
+            Self::InvalidReport => f.write_str("a report with a number that is not finite"),
+        }
+    }
 }
 
 /// What the pair is to do.
@@ -62,8 +86,8 @@ pub enum PairState {
     Stopped {
         /// Why.
         cause: PairStopCause,
-        /// True when it was the left robot's report.
-        left: bool,
+        /// Whose report it was.
+        robot: PairRobot,
     },
 }
 
@@ -89,6 +113,11 @@ impl<T: Real> PairSupervisor<T> {
         })
     }
 
+    /// When the pair stops.
+    pub fn limits(&self) -> &SupervisorLimits<T> {
+        &self.limits
+    }
+
     /// The state as it stands.
     pub fn state(&self) -> PairState {
         self.state
@@ -98,9 +127,15 @@ impl<T: Real> PairSupervisor<T> {
     pub fn update(&mut self, left: &RobotReport<T>, right: &RobotReport<T>) -> PairState {
         if self.state == PairState::Running {
             if let Some(cause) = self.objection(left) {
-                self.state = PairState::Stopped { cause, left: true };
+                self.state = PairState::Stopped {
+                    cause,
+                    robot: PairRobot::Left,
+                };
             } else if let Some(cause) = self.objection(right) {
-                self.state = PairState::Stopped { cause, left: false };
+                self.state = PairState::Stopped {
+                    cause,
+                    robot: PairRobot::Right,
+                };
             }
         }
         self.state
@@ -118,10 +153,10 @@ impl<T: Real> PairSupervisor<T> {
             && report.tension.is_finite())
         {
             Some(PairStopCause::InvalidReport)
-        } else if report.stopped {
-            Some(PairStopCause::RobotStopped)
         } else if report.silence > limits.silence {
             Some(PairStopCause::Silence)
+        } else if let Some(cause) = report.stopped {
+            Some(PairStopCause::RobotStopped(cause))
         } else if report.tension > limits.tension {
             Some(PairStopCause::Tension)
         } else if report.tracking_error > limits.tracking_error {

@@ -261,8 +261,8 @@ fn bad_inputs_stop_with_their_cause() {
 #[test]
 fn a_stop_is_smooth() {
     let mut c = controller(LawParameters::Mrac(MracGains::default()));
-    drive(&mut c, 3.0, 0.4, |_| true);
-    let (h, mut v) = (0.002, 0.2);
+    let h = 0.002;
+    let mut v = drive(&mut c, 3.0, 0.4, |_| true);
     c.stop(StopCause::Supervisor);
     let mut hardest: f64 = 0.0;
     for _ in 0..500 {
@@ -282,6 +282,38 @@ fn a_stop_is_smooth() {
     assert!(v.abs() < 0.01, "{v}");
     // 0.2 m/s in 0.5 s takes 0.6 m/s^2 at the steepest; twice that is still smooth.
     assert!(hardest < 1.2, "{hardest} m/s^2");
+}
+
+/// A robot that has not moved yet, or is held, stays where it is when it is told to stop.
+#[test]
+fn a_stop_starts_no_motion() {
+    for law in laws::<f64>() {
+        let mut c = controller(law);
+        let good = Pose {
+            x: 0.0,
+            y: 0.0,
+            heading: 0.0,
+        };
+        c.track(&good, 0.0, &reference(0.0));
+        c.torque(Velocity::default(), 0.002);
+        assert!(c.desired().velocity.linear > 0.1, "it was about to drive");
+        c.stop(StopCause::Supervisor);
+        let (h, mut v, mut way) = (0.002, 0.0, 0.0);
+        for _ in 0..500 {
+            let velocity = Velocity {
+                linear: v,
+                angular: 0.0,
+            };
+            let torque = c.torque(velocity, h);
+            v += h * (torque.right + torque.left) / 0.033 / 1.43;
+            way += h * v;
+            assert!(c.commanded().linear.abs() < 1e-3, "{:?}", c.commanded());
+        }
+        assert!(
+            way.abs() < 2e-3 && v.abs() < 1e-3,
+            "{law:?}: {way} m, {v} m/s"
+        );
+    }
 }
 
 #[test]

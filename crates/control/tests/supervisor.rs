@@ -1,12 +1,14 @@
 //! The pair stops together and stays stopped.
 
-use pairtrawl_control::{PairState, PairStopCause, PairSupervisor, RobotReport, SupervisorLimits};
+use pairtrawl_control::{
+    PairRobot, PairState, PairStopCause, PairSupervisor, RobotReport, StopCause, SupervisorLimits,
+};
 
 const FINE: RobotReport<f64> = RobotReport {
     tracking_error: 0.02,
     silence: 0.01,
     tension: 0.5,
-    stopped: false,
+    stopped: None,
 };
 
 #[test]
@@ -21,7 +23,7 @@ fn each_cause_stops_the_pair_from_either_side() {
         ),
         (
             RobotReport {
-                silence: 0.21,
+                silence: 0.11,
                 ..FINE
             },
             PairStopCause::Silence,
@@ -35,10 +37,10 @@ fn each_cause_stops_the_pair_from_either_side() {
         ),
         (
             RobotReport {
-                stopped: true,
+                stopped: Some(StopCause::InvalidPose),
                 ..FINE
             },
-            PairStopCause::RobotStopped,
+            PairStopCause::RobotStopped(StopCause::InvalidPose),
         ),
         (
             RobotReport {
@@ -49,20 +51,39 @@ fn each_cause_stops_the_pair_from_either_side() {
         ),
     ];
     for (bad, cause) in cases {
-        for left in [true, false] {
+        for robot in [PairRobot::Left, PairRobot::Right] {
             let mut s = PairSupervisor::new(SupervisorLimits::default()).unwrap();
             assert_eq!(s.update(&FINE, &FINE), PairState::Running);
-            let (a, b) = if left { (bad, FINE) } else { (FINE, bad) };
-            assert_eq!(s.update(&a, &b), PairState::Stopped { cause, left });
+            let (a, b) = match robot {
+                PairRobot::Left => (bad, FINE),
+                PairRobot::Right => (FINE, bad),
+            };
+            assert_eq!(s.update(&a, &b), PairState::Stopped { cause, robot });
             assert_eq!(
                 s.update(&FINE, &FINE),
-                PairState::Stopped { cause, left },
+                PairState::Stopped { cause, robot },
                 "latched"
             );
             s.rearm();
             assert_eq!(s.update(&FINE, &FINE), PairState::Running);
         }
     }
+}
+
+#[test]
+fn a_silent_robot_is_named_as_silent_even_when_it_has_stopped() {
+    let silent = RobotReport {
+        silence: 0.2,
+        stopped: Some(StopCause::StalePose),
+        ..FINE
+    };
+    let mut s = PairSupervisor::new(SupervisorLimits::default()).unwrap();
+    let cause = PairStopCause::Silence;
+    let robot = PairRobot::Right;
+    assert_eq!(
+        s.update(&FINE, &silent),
+        PairState::Stopped { cause, robot }
+    );
 }
 
 #[test]

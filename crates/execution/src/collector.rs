@@ -1,10 +1,11 @@
 //! What is kept of a drive in physics.
 
 use crate::control_loop::PairLoop;
+use crate::sample::pair_pose;
 use crate::statistics::ErrorCollector;
 use pairtrawl_control::AdaptedParameters;
 use pairtrawl_geometry::Point;
-use pairtrawl_model::{ControlSample, DragStatistics, PairPose, TrackingStatistics};
+use pairtrawl_model::{ControlSample, DragStatistics, Side, TrackingStatistics};
 use pairtrawl_reference::Sample;
 use pairtrawl_simulation::Simulation;
 
@@ -50,7 +51,9 @@ impl Collector {
 
     /// Looks at the world after a step.
     pub fn step(&mut self, simulation: &Simulation) {
-        for (side, load) in simulation.loads().iter().enumerate() {
+        let loads = simulation.loads();
+        for side in Side::BOTH.map(Side::index) {
+            let load = &loads[side];
             self.window[side] += load.load;
             for torque in load.torques {
                 self.max_torque[side] = self.max_torque[side].max(torque.abs());
@@ -62,7 +65,7 @@ impl Collector {
             self.window = [Point::ZERO; 2];
             self.window_steps = 0;
             self.windows += 1.0;
-            for side in 0..2 {
+            for side in Side::BOTH.map(Side::index) {
                 self.drag_sum[side] += self.drag[side];
                 self.drag_max[side] = self.drag_max[side].max(self.drag[side]);
             }
@@ -77,10 +80,7 @@ impl Collector {
         control: &PairLoop,
     ) {
         let time = simulation.time();
-        let targets = PairPose {
-            left: reference[0].pose,
-            right: reference[1].pose,
-        };
+        let targets = pair_pose(reference);
         let robots = simulation.pair();
         let error = [
             robots.left.position().distance(targets.left.position()),
@@ -114,7 +114,7 @@ impl Collector {
     }
 
     pub fn drag_statistics(&self) -> [DragStatistics; 2] {
-        [0, 1].map(|side| DragStatistics {
+        Side::BOTH.map(Side::index).map(|side| DragStatistics {
             mean: self.drag_sum[side] / self.windows.max(1.0),
             max: self.drag_max[side],
         })

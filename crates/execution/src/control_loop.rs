@@ -1,10 +1,9 @@
-//! Two controllers, their sensors and the supervisor, around any pair of robots that takes wheel torques.
+//! The pair's controller with simulated sensors, around any pair of robots that takes wheel torques.
 
-use crate::sample::control_sample;
+use crate::pair_controller::{Measurement, PairController, PairStop, PoseFix};
 use crate::sensing::{Sensing, Sensors, TORQUE_PERIOD, TRACKER_TICKS};
 use pairtrawl_control::{
-    AdaptedParameters, ControllerParameters, Mode, PairState, PairStopCause, PairSupervisor,
-    ParameterError, Pose, RobotController, RobotReport, StopCause, SupervisorLimits, Velocity,
+    AdaptedParameters, ControllerParameters, ParameterError, Pose, SupervisorLimits, Velocity,
     WheelTorque,
 };
 use pairtrawl_reference::{Reference, Sample};
@@ -22,12 +21,9 @@ pub struct Truth {
 
 /// The pair's controllers at work. Arrays over robots are (left, right).
 pub struct PairLoop<'a> {
-    reference: &'a Reference,
-    controllers: [RobotController<f64>; 2],
+    controller: PairController<&'a Reference>,
     sensors: [Sensors; 2],
-    supervisor: PairSupervisor<f64>,
     ticks: u64,
-    now: [Sample; 2],
 }
 
 impl<'a> PairLoop<'a> {
@@ -39,22 +35,13 @@ impl<'a> PairLoop<'a> {
         reference: &'a Reference,
         parameters: &ControllerParameters<f64>,
         supervisor: SupervisorLimits<f64>,
-        sensing: [Sensing; 2],
+        [left, right]: [Sensing; 2],
         seeds: [u64; 2],
     ) -> Result<Self, ParameterError> {
         Ok(Self {
-            reference,
-            controllers: [
-                RobotController::new(parameters)?,
-                RobotController::new(parameters)?,
-            ],
-            sensors: [
-                Sensors::new(sensing[0], seeds[0]),
-                Sensors::new(sensing[1], seeds[1]),
-            ],
-            supervisor: PairSupervisor::new(supervisor)?,
+            controller: PairController::new(reference, parameters, supervisor)?,
+            sensors: [Sensors::new(left, seeds[0]), Sensors::new(right, seeds[1])],
             ticks: 0,
-            now: reference.at(0.0),
         })
     }
 
@@ -65,63 +52,40 @@ impl<'a> PairLoop<'a> {
 
     /// The reference of the last tick.
     pub fn reference(&self) -> &[Sample; 2] {
-        &self.now
+        self.controller.targets()
     }
 
-    /// Why the pair stands, once the supervisor has stopped it: the cause and whose report it was (0 left, 1 right).
-    pub fn stopped(&self) -> Option<(PairStopCause, usize)> {
-        match self.supervisor.state() {
-            PairState::Running => None,
-            PairState::Stopped { cause, left } => Some((cause, usize::from(!left))),
-        }
-    }
-
-    /// What each controller does.
-    pub fn modes(&self) -> [Mode; 2] {
-        self.controllers.each_ref().map(RobotController::mode)
+    /// Why the pair stands, once it has been stopped.
+    pub fn stopped(&self) -> Option<PairStop> {
+        self.controller.stopped()
     }
 
     /// What each controller has learned.
     pub fn adapted(&self) -> [AdaptedParameters<f64>; 2] {
-        self.controllers.each_ref().map(RobotController::adapted)
+        self.controller.adapted()
     }
 
     /// One tick of the torque loop: torques to hold until the next.
     pub fn tick(&mut self, truth: [Truth; 2]) -> [WheelTorque<f64>; 2] {
-        self.now = self.reference.at(self.time());
         let track = self.ticks.is_multiple_of(TRACKER_TICKS);
-        let targets = self.now.each_ref().map(control_sample);
-        let mut torques = [WheelTorque::default(); 2];
-        for side in 0..2 {
-            if track {
-                let (pose, age) = self.sensors[side].pose(truth[side].pose);
-                self.controllers[side].track(&pose, age, &targets[side]);
-            }
-            let velocity = self.sensors[side].velocity(truth[side].velocity);
-            torques[side] = self.controllers[side].torque(velocity, TORQUE_PERIOD);
-        }
-        if track {
-            self.supervise(truth);
-        }
+        let [left, right] = &mut self.sensors;
+        let measured = [
+            measure(left, &truth[0], track),
+            measure(right, &truth[1], track),
+        ];
+        let time = self.time();
         self.ticks += 1;
-        torques
+        self.controller
+            .tick(measured, time)
+            .map(|command| command.torque)
     }
+}
 
-    fn supervise(&mut self, truth: [Truth; 2]) {
-        let report = |side: usize| {
-            let controller = &self.controllers[side];
-            let error = controller.error();
-            RobotReport {
-                tracking_error: libm::hypot(error.along, error.across),
-                silence: 0.0,
-                tension: truth[side].tension,
-                stopped: matches!(controller.mode(), Mode::Stopping(_) | Mode::Stopped(_)),
-            }
-        };
-        if let PairState::Stopped { .. } = self.supervisor.update(&report(0), &report(1)) {
-            for controller in &mut self.controllers {
-                controller.stop(StopCause::Supervisor);
-            }
-        }
+fn measure(sensors: &mut Sensors, truth: &Truth, track: bool) -> Measurement {
+    let fix = |(pose, age)| PoseFix { pose, age };
+    Measurement {
+        pose: track.then(|| fix(sensors.pose(truth.pose))),
+        velocity: Some(sensors.velocity(truth.velocity)),
+        tension: Some(truth.tension),
     }
 }

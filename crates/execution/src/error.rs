@@ -1,4 +1,5 @@
 use pairtrawl_control::ParameterError;
+use pairtrawl_model::Claim;
 use pairtrawl_reference::ReferenceError;
 use pairtrawl_simulation::SimulationError;
 use thiserror::Error;
@@ -6,6 +7,15 @@ use thiserror::Error;
 /// Why a plan cannot be executed. A drive that goes wrong is a result, not an error.
 #[derive(Clone, Debug, PartialEq, Error)]
 pub enum ExecutionError {
+    /// The plan does not hold what it must.
+    #[error(
+        "the plan cannot be proven: {} fails; plan the scene again, or ask for a drive of an unproven plan",
+        names(claims)
+    )]
+    Unproven {
+        /// The claims that fail.
+        claims: Vec<Claim>,
+    },
     /// The plan cannot become a reference.
     #[error(transparent)]
     Reference(#[from] ReferenceError),
@@ -25,4 +35,9 @@ pub enum ExecutionError {
         /// What is allowed.
         bound: &'static str,
     },
+}
+
+fn names(claims: &[Claim]) -> String {
+    let names: Vec<_> = claims.iter().map(|claim| claim.id.name()).collect();
+    names.join(", ")
 }

@@ -1,4 +1,8 @@
-//! Driving a plan: controllers keep both robots on the pair's reference, in the simulated world or on reduced plants.
+//! Driving a plan: the pair follows its reference, in the simulated world, on reduced plants, or on the floor.
+//!
+//! - [`PairController`] keeps two robots on a reference: measurements in, commands out. It knows no simulation.
+//! - [`rehearse`] drives a reference closely in physics and says whether the plan is at fault for anything.
+//! - [`drive_trials`] lets controllers with sensors drive it in physics, several times; [`monte_carlo`] on reduced plants.
 //!
 //! Nothing here reads a file or a clock: the caller brings the clock ([`Host`]), and seeds come in as options. Results depend on
 //! their inputs alone, not on the number of threads, but for [`pairtrawl_model::Trial::seconds`].
@@ -9,8 +13,10 @@ mod error;
 mod monte_carlo;
 mod observer;
 mod options;
+mod pair_controller;
 mod plant;
 mod reduced_run;
+mod rehearsal;
 mod sample;
 mod sensing;
 mod statistics;
@@ -22,8 +28,11 @@ pub use error::ExecutionError;
 pub use monte_carlo::{GrowingDrag, MonteCarlo, MonteCarloOptions, MonteCarloRow, monte_carlo};
 pub use observer::ExecutionObserver;
 pub use options::{ExecutionOptions, NominalInertia, controller_parameters};
+pub use pair_controller::{Command, Measurement, PairController, PairStop, PoseFix};
 pub use plant::{Drag, PlantParameters, ReducedPlant};
 pub use reduced_run::{ReducedOutcome, ReducedRun};
+pub use rehearsal::rehearse;
+pub use sample::evenly_sampled;
 pub use sensing::{Normal, Sensing, Sensors, TORQUE_PERIOD, TRACKER_TICKS};
 pub use statistics::{mixed_seed, quantile};
 pub use trials::{Host, Task, drive_trials};

@@ -84,8 +84,12 @@ pub struct MonteCarloRow {
 /// The table.
 #[derive(Clone, Debug, PartialEq)]
 pub struct MonteCarlo {
-    /// One row for each law.
+    /// One row for each law of which at least one run was finished.
     pub rows: Vec<MonteCarloRow>,
+    /// Runs that were finished, over all laws.
+    pub runs: usize,
+    /// Runs that were asked for, over all laws.
+    pub runs_wanted: usize,
     /// True when it was stopped before all runs were finished.
     pub interrupted: bool,
 }
@@ -102,7 +106,6 @@ pub fn monte_carlo(
 ) -> Result<MonteCarlo, ExecutionError> {
     let reference = Reference::of_scene(scene, trajectory)?;
     let mut rows = Vec::new();
-    let mut interrupted = false;
     for (row, &controller) in options.controllers.iter().enumerate() {
         let outcomes = (0..options.runs)
             .into_par_iter()
@@ -119,10 +122,18 @@ pub fn monte_carlo(
             })
             .collect::<Result<Vec<_>, ExecutionError>>()?;
         let finished: Vec<Run> = outcomes.into_iter().flatten().collect();
-        interrupted |= finished.len() < options.runs;
-        rows.push(summarize(controller, &finished, options.tolerance));
+        if !finished.is_empty() {
+            rows.push(summarize(controller, &finished, options.tolerance));
+        }
     }
-    Ok(MonteCarlo { rows, interrupted })
+    let runs = rows.iter().map(|row: &MonteCarloRow| row.runs).sum();
+    let runs_wanted = options.runs * options.controllers.len();
+    Ok(MonteCarlo {
+        rows,
+        runs,
+        runs_wanted,
+        interrupted: runs < runs_wanted,
+    })
 }
 
 /// What came of a run, and whether its drag was more than the tires could bear.

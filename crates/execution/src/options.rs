@@ -51,6 +51,8 @@ pub struct ExecutionOptions {
     pub physics: pairtrawl_simulation::Options,
     /// Time between two control samples that are kept, s.
     pub sample_interval: f64,
+    /// True: a plan that cannot be proven is driven as well.
+    pub unproven: bool,
 }
 
 impl Default for ExecutionOptions {
@@ -72,6 +74,7 @@ impl Default for ExecutionOptions {
             supervisor: SupervisorLimits::default(),
             physics: pairtrawl_simulation::Options::default(),
             sample_interval: 0.05,
+            unproven: false,
         }
     }
 }

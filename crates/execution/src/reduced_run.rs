@@ -2,12 +2,13 @@
 
 use crate::control_loop::PairLoop;
 use crate::observer::ExecutionObserver;
+use crate::pair_controller::PairStop;
 use crate::plant::{Drag, PlantParameters, ReducedPlant};
 use crate::sample::control_sample;
 use crate::sensing::{Sensing, TORQUE_PERIOD, TRACKER_TICKS};
 use crate::statistics::ErrorCollector;
 use pairtrawl_control::{
-    AdaptedParameters, ControllerParameters, PairStopCause, ParameterError, SupervisorLimits,
+    AdaptedParameters, ControllerParameters, ParameterError, SupervisorLimits,
 };
 use pairtrawl_model::TrackingStatistics;
 use pairtrawl_reference::Reference;
@@ -36,7 +37,7 @@ pub struct ReducedOutcome {
     /// Position error of each robot.
     pub tracking: [TrackingStatistics; 2],
     /// Why and when (s) the pair was stopped before its end.
-    pub stopped: Option<(PairStopCause, f64)>,
+    pub stopped: Option<(PairStop, f64)>,
     /// Greatest torque of a wheel, N m.
     pub max_torque: f64,
     /// Greatest magnitude of each adapted parameter seen, over both robots: Delta_X, Delta_m, Delta_b.
@@ -91,9 +92,9 @@ impl ReducedRun<'_> {
         for tick in 0..ticks {
             let torques = control.tick(robots.each_ref().map(ReducedPlant::truth));
             let drag = (self.drag)(control.time());
-            for side in 0..2 {
-                robots[side].step(torques[side], drag[side], TORQUE_PERIOD);
-                let peak = torques[side].right.abs().max(torques[side].left.abs());
+            for ((robot, torque), drag) in robots.iter_mut().zip(torques).zip(drag) {
+                robot.step(torque, drag, TORQUE_PERIOD);
+                let peak = torque.right.abs().max(torque.left.abs());
                 outcome.max_torque = outcome.max_torque.max(peak);
             }
             if !tick.is_multiple_of(TRACKER_TICKS) {
@@ -101,9 +102,9 @@ impl ReducedRun<'_> {
             }
             let time = control.time();
             let target = self.reference.at(time);
-            for (side, target) in target.into_iter().enumerate() {
-                let pose = robots[side].truth().pose;
-                errors[side].take(
+            for ((error, robot), target) in errors.iter_mut().zip(&robots).zip(target) {
+                let pose = robot.truth().pose;
+                error.take(
                     time,
                     libm::hypot(pose.x - target.pose.x, pose.y - target.pose.y),
                 );
@@ -111,8 +112,8 @@ impl ReducedRun<'_> {
             for adapted in control.adapted() {
                 keep_greatest(&mut outcome.greatest, &adapted);
             }
-            if let Some((cause, _)) = control.stopped() {
-                outcome.stopped = Some((cause, time));
+            if let Some(stop) = control.stopped() {
+                outcome.stopped = Some((stop, time));
                 break;
             }
             if tick.is_multiple_of(500) && observer.interrupted() {

@@ -47,6 +47,11 @@ pub fn quantile(values: &mut [f64], q: f64) -> f64 {
     values[low] + part * (values[high] - values[low])
 }
 
+/// The seed of trial `index`: below 2^53, so that programs that read every number of a JSON file as a double keep its digits.
+pub(crate) fn trial_seed(seed: u64, index: usize) -> u64 {
+    mixed_seed(seed, index as u64) >> 11
+}
+
 /// The seed of a part of a trial, well mixed (the finalizer of SplitMix64).
 pub fn mixed_seed(seed: u64, part: u64) -> u64 {
     let mut z = seed.wrapping_add(part.wrapping_add(1).wrapping_mul(0x9e37_79b9_7f4a_7c15));

@@ -3,40 +3,34 @@
 use crate::collector::Collector;
 use crate::control_loop::{PairLoop, Truth};
 use crate::options::controller_parameters;
+use crate::pair_controller::PairStop;
+use crate::sample::{control_pose, pair_pose};
 use crate::sensing::{Normal, Sensing, TORQUE_PERIOD, TRACKER_TICKS};
-use crate::statistics::mixed_seed;
+use crate::statistics::{mixed_seed, trial_seed};
 use crate::{ExecutionError, Host, Task};
-use pairtrawl_control::{
-    PairStopCause, Pose as ControlPose, SupervisorLimits, Velocity, WheelTorque,
-};
+use pairtrawl_control::{SupervisorLimits, Velocity, WheelTorque};
 use pairtrawl_geometry::Pose;
 use pairtrawl_model::{
-    ExecutionEvent, ExecutionEventKind, PairTrajectory, RehearsalEventKind, Scene, Side, Trial,
-    TrialConditions,
+    ExecutionEvent, ExecutionEventKind, PairTrajectory, Scene, Trial, TrialConditions,
 };
-use pairtrawl_simulation::{Options, PlanFollower, RobotDrive, RobotState, Simulation, Watch};
+use pairtrawl_simulation::{RobotDrive, RobotState, Simulation, Watch};
 
 /// Runs trial `index`. `Ok(None)`: the observer interrupted it.
 pub(crate) fn run(task: &Task, host: &Host, index: usize) -> Result<Option<Trial>, ExecutionError> {
     let begin = (host.clock)();
     let options = task.options;
-    let seed = mixed_seed(options.seed, index as u64);
+    let seed = trial_seed(options.seed, index);
     let conditions = draw(task, seed);
     let scene = changed(task.scene, &conditions);
     let time_step = options.physics.time_step;
-    // Deviations from the plan are measured against the reference here; the watch is for everything else.
-    let physics = Options {
-        max_deviation: 10.0,
-        ..options.physics
-    };
-    let mut simulation =
-        Simulation::starting_at(&scene, task.net_length, task.trajectory.pair(0), &physics)?;
-    let mut watch = Watch::new(
+    let physics = options.physics;
+    let mut simulation = Simulation::starting_at(
         &scene,
+        task.net_length,
+        pair_pose(&task.reference.at(0.0)),
         &physics,
-        PlanFollower::new(task.trajectory)?,
-        &simulation,
-    );
+    )?;
+    let mut watch = Watch::new(&scene, &physics, &simulation);
     let mut collector = Collector::new(time_step, options.sample_interval);
     let sensing = conditions.odometry_scale.map(|odometry_scale| Sensing {
         pose_delay: conditions.pose_delay,
@@ -65,7 +59,8 @@ pub(crate) fn run(task: &Task, host: &Host, index: usize) -> Result<Option<Trial
         let torques = control.tick([truth(&states[0], drag[0]), truth(&states[1], drag[1])]);
         for _ in 0..substeps {
             simulation.step(torques.map(|t| drive(&t)))?;
-            watch.observe(&simulation);
+            // Deviations are what the collector measures.
+            watch.observe(&simulation, || None);
             collector.step(&simulation);
         }
         ticks += 1;
@@ -73,17 +68,17 @@ pub(crate) fn run(task: &Task, host: &Host, index: usize) -> Result<Option<Trial
             collector.compare(&simulation, &task.reference.at(simulation.time()), &control);
         }
         if stop.is_none()
-            && let Some((cause, side)) = control.stopped()
+            && let Some(PairStop { cause, robot }) = control.stopped()
         {
             // A stopped pair is watched for a second more: it must come to rest.
             end = end.min(simulation.time() + 1.0);
             stop = Some(ExecutionEvent {
                 kind: ExecutionEventKind::PairStopped {
-                    cause: words(cause).to_owned(),
-                    robot: Side::BOTH[side],
+                    cause: cause.to_string(),
+                    robot,
                 },
                 time: simulation.time(),
-                place: simulation.robots()[side].pose.position(),
+                place: simulation.robots()[robot.index()].pose.position(),
             });
         }
         if ticks.is_multiple_of(250) {
@@ -101,13 +96,7 @@ pub(crate) fn run(task: &Task, host: &Host, index: usize) -> Result<Option<Trial
         time: e.time,
         place: e.place,
     };
-    let mut events: Vec<ExecutionEvent> = record
-        .events
-        .iter()
-        .filter(|e| !matches!(e.kind, RehearsalEventKind::RobotCaught { .. }))
-        .map(physical)
-        .chain(stop)
-        .collect();
+    let mut events: Vec<ExecutionEvent> = record.events.iter().map(physical).chain(stop).collect();
     events.sort_by(|a, b| a.time.total_cmp(&b.time));
     Ok(Some(Trial {
         index,
@@ -171,13 +160,8 @@ fn changed(scene: &Scene, conditions: &TrialConditions) -> Scene {
 }
 
 fn truth(state: &RobotState, tension: f64) -> Truth {
-    let pose = state.pose;
     Truth {
-        pose: ControlPose {
-            x: pose.x,
-            y: pose.y,
-            heading: pose.heading,
-        },
+        pose: control_pose(state.pose),
         velocity: Velocity {
             linear: state.forward,
             angular: state.turn_rate,
@@ -215,14 +199,4 @@ fn driven(task: &Task, collector: &Collector) -> PairTrajectory {
         driven.right.push(between(a.robots.right, b.robots.right));
     }
     driven
-}
-
-fn words(cause: PairStopCause) -> &'static str {
-    match cause {
-        PairStopCause::TrackingError => "too far from its reference",
-        PairStopCause::Silence => "silent for too long",
-        PairStopCause::Tension => "tension over the net's strength",
-        PairStopCause::RobotStopped => "it stopped by itself",
-        PairStopCause::InvalidReport => "a report with numbers that are not finite",
-    }
 }

@@ -5,6 +5,7 @@ use crate::error::{NoPlan, PlanError};
 use crate::observer::Stage;
 use crate::options::{Method, NetLength};
 use crate::prepare::Prepared;
+use crate::rehearse::rehearse_trajectory;
 use crate::run::Run;
 use crate::tighten::Tightening;
 use pairtrawl_certificate::certify;
@@ -15,7 +16,6 @@ use pairtrawl_model::{
 };
 use pairtrawl_reference::Reference;
 use pairtrawl_route::{RouteError, baseline};
-use pairtrawl_simulation::rehearse;
 use pairtrawl_trajopt::{
     FirstLength, Problem, Residuals, Settings, ShrunkMargin, Solution, alternate, evaluate,
     optimize_from, optimize_watched,
@@ -199,7 +199,7 @@ impl<'a> Course<'a> {
         let (net_length, trajectory) = (attempt.net_length, &attempt.trajectory);
         let options = pairtrawl_simulation::Options::default();
         let record = run.stage(Stage::Rehearse, || {
-            rehearse(self.prepared.scene, net_length, trajectory, &options)
+            rehearse_trajectory(self.prepared.scene, net_length, trajectory, &options)
         })?;
         Ok(record?)
     }

@@ -1,10 +1,10 @@
 use crate::observer::Stage;
 use pairtrawl_certificate::infeasibility::Proof;
+use pairtrawl_execution::ExecutionError;
 use pairtrawl_geometry::Point;
 use pairtrawl_model::{Claim, SolverStatus, numbers};
 use pairtrawl_reference::ReferenceError;
 use pairtrawl_route::RouteError;
-use pairtrawl_simulation::SimulationError;
 use pairtrawl_world::WorldError;
 use std::fmt;
 
@@ -44,7 +44,7 @@ pub enum BadInput {
     Route(#[from] RouteError),
     /// The rehearsal.
     #[error(transparent)]
-    Simulation(#[from] SimulationError),
+    Rehearsal(#[from] ExecutionError),
 }
 
 /// What is missing in the best attempt at a plan.
@@ -208,8 +208,8 @@ impl From<WorldError> for PlanError {
     }
 }
 
-impl From<SimulationError> for PlanError {
-    fn from(error: SimulationError) -> Self {
+impl From<ExecutionError> for PlanError {
+    fn from(error: ExecutionError) -> Self {
         Self::BadInput(error.into())
     }
 }

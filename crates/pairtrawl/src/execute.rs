@@ -5,7 +5,7 @@ mod recording;
 pub use pairtrawl_execution::*;
 pub use recording::{WriteRecordingError, recording, write_recording};
 
-use pairtrawl_model::{Execution, PairTrajectory, Plan, Scene, Warning};
+use pairtrawl_model::{Certificate, Claim, Execution, PairTrajectory, Plan, Scene, Warning};
 use pairtrawl_reference::Reference;
 use std::time::Instant;
 
@@ -15,20 +15,24 @@ use std::time::Instant;
 /// `Execution::interrupted` is set. Results depend on the seed, not on the number of threads, but for `Trial::seconds`.
 ///
 /// # Errors
-/// When scene, plan or options cannot be used.
+/// When scene, plan or options cannot be used, and when a claim of the plan's certificate fails, unless the options allow it.
 pub fn execute(
     scene: &Scene,
     plan: &Plan,
     options: &ExecutionOptions,
     observer: &dyn ExecutionObserver,
 ) -> Result<Execution, ExecutionError> {
+    let claims = failed(&plan.certificate);
+    if !options.unproven && !claims.is_empty() {
+        return Err(ExecutionError::Unproven { claims });
+    }
     execute_trajectory(scene, plan.net_length, &plan.trajectory, options, observer)
 }
 
 /// As [`execute`], for a net length (m) and a trajectory from anywhere.
 ///
 /// # Errors
-/// When scene, trajectory or options cannot be used.
+/// When scene, trajectory or options cannot be used, and when a claim about the trajectory fails, unless the options allow it.
 pub fn execute_trajectory(
     scene: &Scene,
     net_length: f64,
@@ -40,16 +44,11 @@ pub fn execute_trajectory(
     let reference = Reference::of_scene(scene, trajectory)?;
     let reference_certificate =
         pairtrawl_certificate::certify(scene, net_length, trajectory, Some(&reference));
-    let warnings = reference_certificate
-        .claims
-        .iter()
-        .filter(|claim| !claim.holds)
-        .map(|claim| Warning::CurveFails {
-            claim: claim.id,
-            margin: claim.margin,
-            detail: claim.detail.clone(),
-        })
-        .collect();
+    let failed = failed(&reference_certificate);
+    if !options.unproven && !failed.is_empty() {
+        return Err(ExecutionError::Unproven { claims: failed });
+    }
+    let warnings = failed.iter().map(unproven_warning).collect();
     let begin = Instant::now();
     let task = Task {
         scene,
@@ -74,4 +73,17 @@ pub fn execute_trajectory(
         trials_wanted: options.trials,
         warnings,
     })
+}
+
+fn failed(certificate: &Certificate) -> Vec<Claim> {
+    let failed = certificate.claims.iter().filter(|claim| !claim.holds);
+    failed.cloned().collect()
+}
+
+fn unproven_warning(claim: &Claim) -> Warning {
+    Warning::CurveFails {
+        claim: claim.id,
+        margin: claim.margin,
+        detail: claim.detail.clone(),
+    }
 }

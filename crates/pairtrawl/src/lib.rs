@@ -92,6 +92,6 @@ pub use pairtrawl_simulation as simulation;
 pub use pairtrawl_world as world;
 pub use plan::{Planned, plan};
 pub use planner::Planner;
-pub use rehearse::{Rehearsed, rehearse};
+pub use rehearse::{Rehearsed, rehearse, rehearse_trajectory};
 pub use separation_study::{SeparationStudy, separation_study};
 pub use summary::{claim_summaries, summarize, summarize_execution};

@@ -1,7 +1,9 @@
 use crate::files::PlanFile;
 use crate::judge;
-use pairtrawl_model::{Plan, RehearsalRecord, Scene, SceneReference};
-use pairtrawl_simulation::{Options, SimulationError};
+use pairtrawl_execution::ExecutionError;
+use pairtrawl_model::{PairTrajectory, Plan, RehearsalRecord, Scene, SceneReference};
+use pairtrawl_reference::Reference;
+use pairtrawl_simulation::Options;
 
 /// A plan from a file, judged anew, with what happened when it was driven in physics.
 #[derive(Clone, Debug, PartialEq)]
@@ -16,15 +18,31 @@ pub struct Rehearsed {
 /// rehearsed are never mixed.
 ///
 /// # Errors
-/// When scene, net length or trajectories cannot be simulated. A plan that goes wrong is a record, not an error.
+/// When the trajectories cannot become a reference, or scene or net length cannot be simulated. A plan that goes wrong is a record, not an error.
 pub fn rehearse(
     scene: &Scene,
     reference: &SceneReference,
     file: &PlanFile,
     options: &Options,
-) -> Result<Rehearsed, SimulationError> {
+) -> Result<Rehearsed, ExecutionError> {
     let mut plan = judge(scene, reference, file);
-    let record = pairtrawl_simulation::rehearse(scene, plan.net_length, &plan.trajectory, options)?;
+    let record = rehearse_trajectory(scene, plan.net_length, &plan.trajectory, options)?;
     plan.rehearsal = record.verdict.clone();
     Ok(Rehearsed { plan, record })
+}
+
+/// Drives the reference of a trajectory in physics.
+///
+/// # Errors
+/// As [`rehearse`].
+pub fn rehearse_trajectory(
+    scene: &Scene,
+    net_length: f64,
+    trajectory: &PairTrajectory,
+    options: &Options,
+) -> Result<RehearsalRecord, ExecutionError> {
+    let reference = Reference::of_scene(scene, trajectory)?;
+    Ok(pairtrawl_execution::rehearse(
+        scene, net_length, &reference, options,
+    )?)
 }

@@ -15,15 +15,6 @@ impl RobotDrive {
                 forward: forward / units.speed(),
                 turn_rate: turn_rate * units.time,
             },
-            Self::Follow {
-                pose,
-                forward,
-                turn_rate,
-            } => Self::Follow {
-                pose: units.pose(pose),
-                forward: forward / units.speed(),
-                turn_rate: turn_rate * units.time,
-            },
         }
     }
 }

@@ -1,3 +1,4 @@
+use pairtrawl_model::Side;
 use thiserror::Error;
 
 /// Why a simulation cannot be set up.
@@ -39,11 +40,11 @@ pub enum SimulationError {
     },
     /// The net's given start shape does not run from hitch to hitch.
     #[error(
-        "net.start ends {distance:.3} m from the {side} hitch at ({x:.3}, {y:.3}): it must run from the left hitch to the right one"
+        "net.start ends {distance:.3} m from the hitch of the {side} at ({x:.3}, {y:.3}): it must run from the left hitch to the right one"
     )]
     NetStart {
-        /// Which end.
-        side: &'static str,
+        /// Whose hitch.
+        side: Side,
         /// How far off it is, m.
         distance: f64,
         /// Where the hitch is, m.

@@ -1,14 +1,16 @@
 //! Robots, net and objects in planar physics.
 //!
 //! A plan is proven for the straight line between the robots; the real net hangs behind them as a slack U, cuts corners and
-//! carries objects that slide and turn. Here it is driven in simulation: two robots on wheels, a chain of rigid links, objects
+//! carries objects that slide and turn. This is the world in which plans are driven: two robots on wheels, a chain of rigid links, objects
 //! of any footprint, every contact with Coulomb friction, every support point with dry friction on the floor, no gravity in the plane.
 //!
-//! [`rehearse`] drives a plan and reports what happened; [`Simulation`] is the world itself, for callers that bring other drives.
+//! [`Simulation`] is the world, moved on by a caller that brings a [`RobotDrive`] for each robot; [`Watch`] looks at it and keeps the
+//! record of what happened.
 //! The result depends on nothing but its inputs: same bits on every run, machine and number of threads.
 
 mod contacts;
 mod conversion;
+mod drive;
 mod engine;
 mod error;
 pub mod export;
@@ -20,23 +22,22 @@ mod obstacles;
 mod options;
 mod parameters;
 mod region;
-mod rehearsal;
 mod robots;
 mod servo;
 mod simulation;
+mod state;
 mod tag;
 #[cfg(test)]
 mod theory_tests;
 mod watch;
 
 pub use contacts::Contact;
+pub use drive::RobotDrive;
 pub use error::SimulationError;
 pub use options::Options;
 pub use parameters::{Base, Parameters};
 pub use region::{distance_outside, encloses};
-pub use rehearsal::{Driver, PlanFollower, rehearse, run};
-pub use robots::{RobotLoad, RobotState};
-pub use servo::RobotDrive;
 pub use simulation::Simulation;
+pub use state::{RobotLoad, RobotState};
 pub use tag::Part;
 pub use watch::Watch;

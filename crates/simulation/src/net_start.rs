@@ -9,7 +9,7 @@ use crate::engine::unit;
 use crate::objects::distance_to_segment;
 use crate::{Base, Parameters, SimulationError};
 use pairtrawl_geometry::{Point, Pose};
-use pairtrawl_model::{Footprint, Scene, Warning};
+use pairtrawl_model::{Footprint, Scene, Side, Warning};
 use rapier2d_f64::parry::math::Pose as Isometry;
 use rapier2d_f64::parry::query::intersection_test;
 use rapier2d_f64::parry::shape::{Ball, Cuboid, SharedShape};
@@ -179,7 +179,7 @@ fn follow(
     hitches: [Point; 2],
 ) -> Result<NetStart, SimulationError> {
     let ends = [outline.first(), outline.last()];
-    for ((end, hitch), side) in ends.into_iter().zip(hitches).zip(["left", "right"]) {
+    for ((end, hitch), side) in ends.into_iter().zip(hitches).zip(Side::BOTH) {
         let distance = end.map_or(f64::INFINITY, |&p| (p - hitch).norm());
         if distance > HITCH_TOLERANCE || !distance.is_finite() {
             return Err(SimulationError::NetStart {
@@ -277,16 +277,20 @@ impl Surroundings {
             libm::atan2(along.y, along.x),
         );
         let robots = self.shapes.len() - 2;
-        let at_hitch = |robot: usize| {
-            (index == 0 && robot == 0)
-                || (index == last && robot == 1)
-                || distance_to_segment(self.hitches[robot], ends[0], ends[1]) < 1e-9
+        let at_hitch = |side: Side| {
+            let tied = match side {
+                Side::Left => index == 0,
+                Side::Right => index == last,
+            };
+            tied || distance_to_segment(self.hitches[side.index()], ends[0], ends[1]) < 1e-9
         };
         self.shapes
             .iter()
             .enumerate()
             .any(|(i, (position, shape))| {
-                !(i >= robots && at_hitch(i - robots))
+                !Side::BOTH
+                    .into_iter()
+                    .any(|side| i == robots + side.index() && at_hitch(side))
                     && intersection_test(&place, &link, position, shape.as_ref())
                         .is_ok_and(|found| found.intersecting)
             })

@@ -7,35 +7,11 @@
 
 use crate::engine::{pose_of, unit, vector, velocity_at, world_point};
 use crate::ground_friction::Bristle;
-use crate::{Parameters, RobotDrive, servo};
+use crate::{Parameters, RobotDrive, RobotLoad, RobotState, servo};
 use pairtrawl_geometry::{Point, Pose};
 use rapier2d_f64::prelude::{
     ColliderBuilder, MassProperties, PhysicsWorld, RigidBodyBuilder, RigidBodyHandle,
 };
-
-/// Where a robot is and how it moves.
-#[derive(Clone, Copy, Debug, Default, PartialEq)]
-pub struct RobotState {
-    /// Axle center and heading; the heading is continuous.
-    pub pose: Pose,
-    /// Velocity of the axle center along the heading, m/s.
-    pub forward: f64,
-    /// Velocity of the axle center across the heading (to the left), m/s: zero but for slip.
-    pub sideways: f64,
-    /// Turning rate, rad/s.
-    pub turn_rate: f64,
-}
-
-/// What acted on a robot in the last step.
-#[derive(Clone, Copy, Debug, Default, PartialEq)]
-pub struct RobotLoad {
-    /// Force of the wheels along the heading, N.
-    pub drive_force: f64,
-    /// Wheel torques (left, right) after all limits, N m.
-    pub torques: [f64; 2],
-    /// Force of net and contacts on the robot in the map frame, by momentum balance, N.
-    pub load: Point,
-}
 
 pub(crate) struct RobotBody {
     pub(crate) handle: RigidBodyHandle,
@@ -112,14 +88,6 @@ impl RobotBody {
             }),
             RobotDrive::Velocity { forward, turn_rate } => {
                 servo::wheel_forces(parameters, &self.state, forward, turn_rate)
-            }
-            RobotDrive::Follow {
-                pose,
-                forward,
-                turn_rate,
-            } => {
-                let (v, w) = servo::track(parameters, &self.state, pose, forward, turn_rate);
-                servo::wheel_forces(parameters, &self.state, v, w)
             }
         };
         let [left, right] = forces.map(|force| force.clamp(-0.5 * traction, 0.5 * traction));

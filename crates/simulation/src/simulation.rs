@@ -8,7 +8,7 @@ use crate::{
     Options, Parameters, RobotDrive, RobotLoad, RobotState, SimulationError, obstacles, tag,
 };
 use pairtrawl_geometry::{Point, Pose};
-use pairtrawl_model::{PairPose, Scene, Units, Warning};
+use pairtrawl_model::{PairPose, Scene, Side, Units, Warning};
 use rapier2d_f64::prelude::PhysicsWorld;
 
 /// Objects are woken and put to sleep this often: at a speed of 0.5 things move a third of the wake distance meanwhile.
@@ -66,8 +66,9 @@ impl Simulation {
             .collect();
         let poses = [start.left, start.right].map(|pose| units.pose(pose));
         let laid = net_start::lay(scene, &inner, poses, fixed).map_err(in_si)?;
-        let robots =
-            [0, 1].map(|side| RobotBody::insert(&mut world, &inner, poses[side], tag::robot(side)));
+        let robots = Side::BOTH.map(|side| {
+            RobotBody::insert(&mut world, &inner, poses[side.index()], tag::robot(side))
+        });
         let net = Net::insert(
             &mut world,
             &inner,

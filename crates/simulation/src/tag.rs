@@ -1,12 +1,14 @@
 //! What a collider belongs to, packed into its user data.
 
+use pairtrawl_model::Side;
+
 /// Something that can touch something else.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
 pub enum Part {
     /// An obstacle of the scene by its index; `None`: the map's.
     Obstacle(Option<usize>),
-    /// A robot: 0 left, 1 right.
-    Robot(usize),
+    /// A robot.
+    Robot(Side),
     /// A link of the net, counted from the left hitch.
     Link(usize),
     /// An object of the scene.
@@ -19,8 +21,8 @@ pub(crate) fn obstacle(index: Option<usize>) -> u128 {
     index.map_or(0, |i| i as u128 + 1)
 }
 
-pub(crate) fn robot(index: usize) -> u128 {
-    (1 << KIND) | index as u128
+pub(crate) fn robot(side: Side) -> u128 {
+    (1 << KIND) | side.index() as u128
 }
 
 pub(crate) fn link(index: usize) -> u128 {
@@ -35,7 +37,8 @@ pub(crate) fn part(user_data: u128) -> Part {
     let index = (user_data & ((1 << KIND) - 1)) as usize;
     match user_data >> KIND {
         0 => Part::Obstacle(index.checked_sub(1)),
-        1 => Part::Robot(index),
+        1 if index == Side::Left.index() => Part::Robot(Side::Left),
+        1 => Part::Robot(Side::Right),
         2 => Part::Link(index),
         _ => Part::Object(index),
     }

@@ -109,7 +109,7 @@ fn a_lone_robot_follows_its_equations() {
             &mut world,
             &parameters,
             Pose::new(0.0, 0.0, 0.4),
-            tag::robot(0),
+            tag::robot(pairtrawl_model::Side::Left),
         );
         let (m, d) = (physics.robot_mass, physics.center_of_mass);
         let inertia = physics.robot_inertia + m * d * d;

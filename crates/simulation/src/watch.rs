@@ -1,10 +1,10 @@
-//! What is looked at while a plan is rehearsed.
+//! What is looked at while a plan is driven.
 
-use crate::{Options, Part, PlanFollower, Simulation, distance_outside, encloses};
+use crate::{Options, Part, Simulation, distance_outside, encloses};
 use pairtrawl_geometry::Point;
 use pairtrawl_model::{
-    Rehearsal, RehearsalEvent, RehearsalEventKind as Kind, RehearsalFrame, RehearsalRecord, Scene,
-    Side, Units,
+    PairPose, Rehearsal, RehearsalEvent, RehearsalEventKind as Kind, RehearsalFrame,
+    RehearsalRecord, Scene, Side, Units,
 };
 
 // In units of the machine, as the physics: for the default machine s and m.
@@ -24,7 +24,6 @@ const ESCAPE_DISTANCE: f64 = 0.03;
 pub struct Watch {
     options: Options,
     units: Units,
-    plan: PlanFollower,
     radii: Vec<f64>,
     tension_limit: f64,
     look_every: u64,
@@ -55,19 +54,13 @@ enum Holding {
 }
 
 impl Watch {
-    /// For a simulation at its start; `plan` says where the robots should be.
-    pub fn new(
-        scene: &Scene,
-        options: &Options,
-        plan: PlanFollower,
-        simulation: &Simulation,
-    ) -> Self {
+    /// For a simulation at its start.
+    pub fn new(scene: &Scene, options: &Options, simulation: &Simulation) -> Self {
         let units = simulation.units();
         let every = |interval: f64| (interval / options.time_step).round().max(1.0) as u64;
         let mut watch = Self {
             options: *options,
             units,
-            plan,
             radii: scene.objects.iter().map(|o| o.footprint_radius()).collect(),
             tension_limit: scene.physics.tension_limit,
             look_every: every(LOOK_INTERVAL * units.time),
@@ -88,8 +81,9 @@ impl Watch {
         watch
     }
 
-    /// To be called after every step.
-    pub fn observe(&mut self, simulation: &Simulation) {
+    /// To be called after every step. `wanted` says, when it is asked, where the robots should be now; `None`: that is looked
+    /// at elsewhere, and nothing is said of deviations.
+    pub fn observe(&mut self, simulation: &Simulation, wanted: impl FnOnce() -> Option<PairPose>) {
         self.steps += 1;
         let loads = simulation.loads();
         for sums in [&mut self.frame, &mut self.whole] {
@@ -106,7 +100,9 @@ impl Watch {
             self.look_at_tension(simulation);
         }
         if self.steps.is_multiple_of(self.look_every) {
-            self.look_at_paths(simulation);
+            if let Some(wanted) = wanted() {
+                self.look_at_paths(simulation, wanted);
+            }
             self.look_at_contacts(simulation);
             self.look_at_objects(simulation);
         }
@@ -157,12 +153,12 @@ impl Watch {
         self.window = [Point::ZERO; 2];
     }
 
-    fn look_at_paths(&mut self, simulation: &Simulation) {
-        let reference = self.plan.reference(simulation.time());
-        let wanted = [reference.left, reference.right];
+    fn look_at_paths(&mut self, simulation: &Simulation, wanted: PairPose) {
+        let wanted = [wanted.left, wanted.right];
+        let robots = simulation.robots();
         for side in Side::BOTH {
             let i = side.index();
-            let place = simulation.robots()[i].pose.position();
+            let place = robots[i].pose.position();
             let deviation = (place - wanted[i].position()).norm();
             self.record.max_deviation[i] = self.record.max_deviation[i].max(deviation);
             if deviation > self.options.max_deviation {
@@ -179,21 +175,16 @@ impl Watch {
         let net = simulation.net();
         let objects = simulation.objects();
         for contact in contacts {
-            let side = |i: usize| Side::BOTH[i];
             let kind = match (contact.first, contact.second) {
                 (Part::Obstacle(obstacle), Part::Link(_)) => Kind::NetTouchesObstacle { obstacle },
-                (Part::Obstacle(obstacle), Part::Robot(robot)) => Kind::RobotTouchesObstacle {
-                    robot: side(robot),
-                    obstacle,
-                },
+                (Part::Obstacle(obstacle), Part::Robot(robot)) => {
+                    Kind::RobotTouchesObstacle { robot, obstacle }
+                }
                 (Part::Robot(_), Part::Robot(_)) => Kind::RobotsTouch,
                 (Part::Robot(robot), Part::Object(object))
                     if distance_outside(&net, objects[object].position()) > self.radii[object] =>
                 {
-                    Kind::RobotTouchesObject {
-                        robot: side(robot),
-                        object,
-                    }
+                    Kind::RobotTouchesObject { robot, object }
                 }
                 _ => continue,
             };

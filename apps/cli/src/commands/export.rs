@@ -4,9 +4,14 @@ use crate::exit::Exit;
 use crate::failure::Failure;
 use crate::interrupt;
 use crate::output::{Done, FilesAlone, Report};
+use pairtrawl::execute::evenly_sampled;
 use pairtrawl::files::{LoadedScene, read_plan, write_atomically};
+use pairtrawl::reference::Reference;
 use pairtrawl::simulation::export;
 use std::path::PathBuf;
+
+/// Time between two exported poses, s.
+const SAMPLE_INTERVAL: f64 = 0.02;
 
 /// `pairtrawl export`: scene, robots, net and objects for other simulators.
 pub fn export(arguments: &ExportArguments) -> Result<Done, Failure> {
@@ -16,24 +21,29 @@ pub fn export(arguments: &ExportArguments) -> Result<Done, Failure> {
 fn export_in(loaded: &LoadedScene, arguments: &ExportArguments) -> Result<Done, Failure> {
     let file = read_plan(&arguments.plan)?;
     let scene = &loaded.scene;
-    let trajectory = file.trajectory(scene);
-    let mut contents = Vec::new();
-    let cannot = |error: pairtrawl::simulation::SimulationError| {
+    let cannot = |error: String| {
         Failure::new(
             Exit::BadInput,
             format!("{} cannot be exported: {error}", arguments.plan.display()),
         )
     };
+    let reference = Reference::of_scene(scene, &file.trajectory(scene))
+        .map_err(|error| cannot(error.to_string()))?;
+    // Other simulators follow poses that are linear in time: the motion that is driven, finely sampled.
+    let trajectory = evenly_sampled(&reference, SAMPLE_INTERVAL);
+    let mut contents = Vec::new();
     if let Some(path) = &arguments.mjcf {
         contents.push((
             path.clone(),
-            export::mjcf(scene, file.net_length, &trajectory).map_err(cannot)?,
+            export::mjcf(scene, file.net_length, &trajectory)
+                .map_err(|error| cannot(error.to_string()))?,
         ));
     }
     if let Some(path) = &arguments.sdf {
         contents.push((
             path.clone(),
-            export::sdf(scene, file.net_length, &trajectory).map_err(cannot)?,
+            export::sdf(scene, file.net_length, &trajectory)
+                .map_err(|error| cannot(error.to_string()))?,
         ));
     }
     interrupt::while_writing(|| {

@@ -131,9 +131,12 @@ fn table_text(table: &MonteCarlo, options: &MonteCarloOptions) -> String {
         text,
         "{}{} runs for each law, success within {}",
         if table.interrupted {
-            "INTERRUPTED: "
+            format!(
+                "INTERRUPTED after {} of {} runs: ",
+                table.runs, table.runs_wanted
+            )
         } else {
-            ""
+            String::new()
         },
         options.runs,
         length(options.tolerance),

@@ -18,7 +18,7 @@ impl Layout {
         net_length: f64,
         trajectory: &PairTrajectory,
     ) -> Result<Self, SimulationError> {
-        crate::PlanFollower::new(trajectory)?;
+        validate(trajectory)?;
         let start = trajectory.pair(0);
         let simulation = Simulation::starting_at(scene, net_length, start, &Options::default())?;
         Ok(Self {
@@ -31,4 +31,19 @@ impl Layout {
                 .collect(),
         })
     }
+}
+
+fn validate(trajectory: &PairTrajectory) -> Result<(), SimulationError> {
+    let (left, right) = (trajectory.left.len(), trajectory.right.len());
+    let step_time = trajectory.step_time;
+    let mut poses = trajectory.left.iter().chain(&trajectory.right);
+    let usable = left == right && left >= 2 && poses.all(|p| p.is_finite());
+    if usable && step_time.is_finite() && step_time > 0.0 {
+        return Ok(());
+    }
+    Err(SimulationError::Trajectory {
+        left,
+        right,
+        step_time,
+    })
 }

@@ -1,12 +1,14 @@
 //! Prints how many seconds are simulated in a second of real time, on one thread: two robots drive 4 m with a net of 2 m through
 //! 13 cubes.
 
+use pairtrawl_execution::rehearse;
 use pairtrawl_geometry::{Point, Pose};
 use pairtrawl_model::{
     Area, Footprint, NetSpec, Object, PairTrajectory, PhysicsParameters, PlannerParameters, Robot,
     Scene,
 };
-use pairtrawl_simulation::{Options, rehearse};
+use pairtrawl_reference::Reference;
+use pairtrawl_simulation::Options;
 use std::error::Error;
 use std::f64::consts::FRAC_PI_2;
 use std::time::Instant;
@@ -43,12 +45,13 @@ fn main() -> Result<(), Box<dyn Error>> {
         planner: PlannerParameters::default(),
         physics: PhysicsParameters::default(),
     };
+    let reference = Reference::of_scene(&scene, &trajectory)?;
     for (name, options) in [
         ("1 ms", Options::default()),
         ("quick, 2 ms", Options::quick()),
     ] {
         let started = Instant::now();
-        let record = rehearse(&scene, 2.0, &trajectory, &options)?;
+        let record = rehearse(&scene, 2.0, &reference, &options)?;
         let factor = record.duration / started.elapsed().as_secs_f64();
         let home = record.gathered.iter().filter(|&&g| g).count();
         println!("{name}: {factor:.1} simulated seconds a second, {home} of 13 cubes gathered");

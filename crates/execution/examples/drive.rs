@@ -4,12 +4,14 @@
 //! Input: `scene` as in a scene file (`obstacles`, `objects`, optional `robot.hitch`, `physics`, `net.start`), `net_length`,
 //! `left`, `right` (poses), `step_time`, optional `time_step`, `settle_time`, `frame_interval`; `export`: `mjcf` or `sdf` to print that instead.
 
+use pairtrawl_execution::{evenly_sampled, rehearse};
 use pairtrawl_geometry::{Point, Pose};
 use pairtrawl_model::{
     Area, Footprint, NetSpec, Object, Obstacle, PairPose, PairTrajectory, PhysicsParameters,
     PlannerParameters, RehearsalRecord, Robot, Scene,
 };
-use pairtrawl_simulation::{Options, export, rehearse};
+use pairtrawl_reference::Reference;
+use pairtrawl_simulation::{Options, export};
 use serde_json::{Value, json};
 use std::error::Error;
 use std::time::Instant;
@@ -34,19 +36,22 @@ fn main() -> Result<(), Box<dyn Error>> {
     options.settle_time = given("settle_time", options.settle_time);
     options.frame_interval = given("frame_interval", options.frame_interval);
     options.iterations = given("iterations", options.iterations as f64) as usize;
+    let reference = Reference::of_scene(&scene, &trajectory)?;
+    // Other engines follow poses that are linear in time: the same motion, finely sampled.
+    let sampled = evenly_sampled(&reference, 0.02);
     match input["export"].as_str() {
         Some("mjcf") => {
-            println!("{}", export::mjcf(&scene, net_length, &trajectory)?);
+            println!("{}", export::mjcf(&scene, net_length, &sampled)?);
             return Ok(());
         }
         Some("sdf") => {
-            println!("{}", export::sdf(&scene, net_length, &trajectory)?);
+            println!("{}", export::sdf(&scene, net_length, &sampled)?);
             return Ok(());
         }
         _ => {}
     }
     let started = Instant::now();
-    let record = rehearse(&scene, net_length, &trajectory, &options)?;
+    let record = rehearse(&scene, net_length, &reference, &options)?;
     let seconds = started.elapsed().as_secs_f64();
     println!("{}", report(&record, seconds));
     Ok(())
