@@ -1,4 +1,4 @@
-"""Drives an exported model in MuJoCo with the same servo that the rehearsal uses."""
+"""Drives an exported model in MuJoCo with the same tracking law that the rehearsal uses."""
 
 import math
 import time
@@ -36,7 +36,7 @@ def reference(poses, step_time, when):
 
 
 def command(state, pose, forward, rate):
-    """Speed and turning rate that lead back to the reference (as in crates/simulation/src/servo.rs)."""
+    """Speed and turning rate that lead back to the reference (as in crates/execution/src/rehearsal.rs)."""
     x, y, heading = state
     dx, dy = pose[0] - x, pose[1] - y
     ahead = dx * math.cos(heading) + dy * math.sin(heading)
@@ -76,7 +76,7 @@ def run(xml, settle_time=0.5):
             data.ctrl[motors[side]] = (v * math.cos(middle), v * math.sin(middle), w)
         mujoco.mj_step(model, data)
         # While robots set off and stop, the actuators' explicit force is not what their implicit integration applies.
-        if not START < when < duration - settle_time:
+        if not START < when < duration - settle_time - START:
             continue
         counted += 1
         for side in range(2):

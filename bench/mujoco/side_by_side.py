@@ -31,7 +31,8 @@ def main():
     for scenario in runs:
         mine = json.loads(ours(scenario, frame_interval=0.05))
         other = model.run(ours(scenario, export="mjcf"))
-        end = scenario["step_time"] * (len(scenario["left"]) - 1)
+        # Our run stands still for half a second after its end; robots stop and set off at either end.
+        end = mine["duration"] - 0.5 - model.START
         force = np.mean([sum(f["drive_force"]) for f in mine["frames"] if model.START < f["time"] < end])
         difference = force / other.drive_force.sum() - 1.0
         ends = np.array([o[:2] for o in mine["frames"][-1]["objects"]])
