@@ -111,6 +111,7 @@ fn options(arguments: &RunArguments) -> ExecutionOptions {
         seed: arguments.seed,
         object_mass: arguments.object_mass,
         payload: arguments.payload,
+        unproven: arguments.unproven,
         ..ExecutionOptions::default()
     };
     let given = [
