@@ -1,6 +1,7 @@
 use crate::frame::{self, Frame};
 use crate::svg::{Rounded, Writer};
 use crate::words;
+use pairtrawl_model::numbers::{self, LengthUnit};
 use pairtrawl_model::{Cost, LengthCurve};
 
 const STYLE: &str = include_str!("../assets/length.css");
@@ -34,8 +35,9 @@ pub fn length_svg(curve: &LengthCurve) -> String {
     let solved = curve.points.iter().filter(|p| p.outcome.is_ok()).count();
     let words = match &curve.minimum {
         Some((length, cost)) => format!(
-            "least J {} at {length:.3} m \u{b7} {solved} of {} lengths have a plan",
+            "least J {} at {} \u{b7} {solved} of {} lengths have a plan",
             words::cost(cost.total()),
+            numbers::length(*length),
             curve.points.len()
         ),
         None => format!("{solved} of {} lengths have a plan", curve.points.len()),
@@ -58,7 +60,13 @@ pub fn length_svg(curve: &LengthCurve) -> String {
             ("height", &pane_height),
         ],
     );
-    plot.draw_axes(&mut w, "net length d_max (m)", "cost J");
+    let unit = LengthUnit::of(plot.x.1);
+    let axes = Frame {
+        x: (unit.per_meter * plot.x.0, unit.per_meter * plot.x.1),
+        ..plot
+    };
+    let name = format!("net length d_max ({})", unit.name);
+    axes.draw_axes(&mut w, &name, "cost J");
     for (_, class, term) in TERMS.iter().rev() {
         draw_curve(&mut w, curve, &plot, class, *term);
     }
@@ -103,7 +111,10 @@ fn frame_of(curve: &LengthCurve) -> Frame {
         lengths().fold(f64::INFINITY, f64::min),
         lengths().fold(f64::NEG_INFINITY, f64::max),
     );
-    let pad = if high > low { 0.03 * (high - low) } else { 0.5 };
+    let pad = match high > low {
+        true => 0.03 * (high - low),
+        false => 0.5 * high.abs(),
+    };
     let x = if low <= high {
         (low - pad, high + pad)
     } else {
@@ -171,7 +182,11 @@ fn draw_missing(w: &mut Writer, curve: &LengthCurve, plot: &Frame) {
                 Rounded(plot.bottom() - 12.0, 1)
             );
             w.open("g", &[("class", &"missing")]);
-            w.text("title", &[], &format!("{:.3} m: {reason}", p.net_length));
+            w.text(
+                "title",
+                &[],
+                &format!("{}: {reason}", numbers::length(p.net_length)),
+            );
             w.empty("path", &[("d", &d)]);
             w.close();
         }
