@@ -3,6 +3,7 @@ use crate::search::{Bound, least};
 use crate::subject::Subject;
 use crate::tightest::Tightest;
 use pairtrawl_geometry::{Point, Pose, Segment, wrap_angle};
+use pairtrawl_model::numbers::angle;
 use pairtrawl_model::{PairPose, Side};
 
 /// Each heading is within `max_skew` of the vector from the right to the left robot turned by -90 degrees: at every waypoint
@@ -50,8 +51,10 @@ pub(super) fn judge(subject: &Subject<'_>) -> Tightest {
 
 fn words(side: Side, skew: f64, limit: f64) -> String {
     format!(
-        "{} robot is skewed by {skew:.4} rad, limit {limit} rad",
-        side.name()
+        "{} robot is skewed by {}, limit {}",
+        side.name(),
+        angle(skew),
+        angle(limit)
     )
 }
 

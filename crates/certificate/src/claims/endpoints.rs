@@ -2,6 +2,7 @@ use crate::subject::Subject;
 use crate::tightest::Tightest;
 use pairtrawl_geometry::wrap_angle;
 use pairtrawl_model::Side;
+use pairtrawl_model::numbers::{angle, length};
 
 /// First and last poses are the scene's, to this much, m and rad; on the smooth curve of a large machine to as much of its size.
 const REACH: f64 = 1e-6;
@@ -23,11 +24,14 @@ pub(super) fn judge(subject: &Subject<'_>) -> Tightest {
                 let off = place.distance(wanted.position());
                 let reach = reading.tolerance(REACH, subject.scene);
                 tightest.consider(reach - off, i, place, || {
-                    format!("{side}, {off:.3e} m from the scene's {what}{on}")
+                    format!("{side}, {} from the scene's {what}{on}", length(off))
                 });
                 let turned = wrap_angle(found.heading - wanted.heading).abs();
                 tightest.consider(REACH - turned, i, place, || {
-                    format!("{side}, heading {turned:.3e} rad from the scene's {what}{on}")
+                    format!(
+                        "{side}, heading {} from the scene's {what}{on}",
+                        angle(turned)
+                    )
                 });
             }
         }

@@ -3,6 +3,7 @@ use crate::passage::best_passage;
 use crate::subject::Subject;
 use crate::tightest::Tightest;
 use pairtrawl_geometry::{Bounds, Point, Segment, SweptLine};
+use pairtrawl_model::numbers::length;
 
 /// The line between the robots passes over every object's center at some instant.
 ///
@@ -18,10 +19,14 @@ pub(super) fn judge(subject: &Subject<'_>) -> Tightest {
                 let on = reading.suffix();
                 if margin >= 0.0 {
                     format!(
-                        "object {j}, {margin:.4} m from the nearer robot when the line passes over it{on}"
+                        "object {j}, {} from the nearer robot when the line passes over it{on}",
+                        length(margin)
                     )
                 } else {
-                    format!("object {j}, {:.4} m outside the swept region{on}", -margin)
+                    format!(
+                        "object {j}, {} outside the swept region{on}",
+                        length(-margin)
+                    )
                 }
             });
         }

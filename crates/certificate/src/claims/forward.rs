@@ -3,6 +3,7 @@ use crate::subject::Subject;
 use crate::tightest::Tightest;
 use pairtrawl_geometry::Point;
 use pairtrawl_model::Side;
+use pairtrawl_model::numbers::length;
 
 /// A step may go back by this much, m: the rounding of a written plan.
 const BACK: f64 = 1e-6;
@@ -15,7 +16,7 @@ pub(super) fn judge(subject: &Subject<'_>) -> Tightest {
         let middle = Point::unit(from.lerp(to, 0.5).heading);
         let along = (to.position() - from.position()).dot(middle);
         tightest.consider(along + BACK, i, from.position(), || {
-            format!("{side} moves {along:.3e} m forward")
+            format!("{side} moves {} forward", length(along))
         });
     }
     for (reading, steps) in &subject.readings {
@@ -29,7 +30,7 @@ pub(super) fn judge(subject: &Subject<'_>) -> Tightest {
                 let back = reading.tolerance(BACK, subject.scene);
                 tightest.consider(slowest + back, step.step, place, || {
                     let on = reading.suffix();
-                    format!("{side} slows down to {slowest:.3e} m a step{on}")
+                    format!("{side} slows down to {} a step{on}", length(slowest))
                 });
             }
         }

@@ -2,6 +2,7 @@ use crate::search::{Bound, least};
 use crate::subject::Subject;
 use crate::tightest::Tightest;
 use pairtrawl_geometry::Hull;
+use pairtrawl_model::numbers::length;
 
 /// The convex hull of left[i], left[i+1], right[i+1], right[i] overlaps no obstacle, nor does the line between the robots on
 /// the smooth curve at any instant. Touching is no overlap. The margin is the distance, or minus the depth of the overlap, m.
@@ -25,9 +26,9 @@ pub(super) fn judge(subject: &Subject<'_>) -> Tightest {
                 place: gap.place,
                 detail: move || {
                     if margin < 0.0 {
-                        format!("the swept net overlaps {part} by {:.4} m", -margin)
+                        format!("the swept net overlaps {part} by {}", length(-margin))
                     } else {
-                        format!("the swept net passes {part} at {margin:.4} m")
+                        format!("the swept net passes {part} at {}", length(margin))
                     }
                 },
             })

@@ -2,6 +2,7 @@ use crate::farthest::greatest_distance;
 use crate::search::{Bound, least};
 use crate::subject::Subject;
 use crate::tightest::Tightest;
+use pairtrawl_model::numbers;
 
 /// At every instant the distance between the two hitch points is at most d_max; margin in m.
 pub(super) fn judge(subject: &Subject<'_>) -> Tightest {
@@ -23,7 +24,11 @@ pub(super) fn judge(subject: &Subject<'_>) -> Tightest {
                 slack,
                 place,
                 detail: move || {
-                    format!("the hitches are up to {bound:.4} m apart, the net is {length} m long")
+                    format!(
+                        "the hitches are up to {} apart, the net is {} long",
+                        numbers::length(bound),
+                        numbers::length(length)
+                    )
                 },
             })
         });

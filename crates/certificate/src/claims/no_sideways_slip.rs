@@ -1,6 +1,7 @@
 use crate::subject::Subject;
 use crate::tightest::Tightest;
 use pairtrawl_geometry::Point;
+use pairtrawl_model::numbers::length;
 
 /// Greatest displacement across the mid-step heading, m.
 const SLIP: f64 = 1e-4;
@@ -12,7 +13,7 @@ pub(super) fn judge(subject: &Subject<'_>) -> Tightest {
         let middle = Point::unit(from.lerp(to, 0.5).heading);
         let across = middle.cross(to.position() - from.position()).abs();
         tightest.consider(SLIP - across, i, from.position(), || {
-            format!("{side} slips {across:.3e} m sideways")
+            format!("{side} slips {} sideways", length(across))
         });
     }
     tightest

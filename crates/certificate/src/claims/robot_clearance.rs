@@ -3,6 +3,7 @@ use crate::subject::Subject;
 use crate::tightest::Tightest;
 use pairtrawl_geometry::Hull;
 use pairtrawl_model::Side;
+use pairtrawl_model::numbers::length;
 
 /// Each path keeps at least the robot radius from every obstacle; margin in m beyond the radius.
 pub(super) fn judge(subject: &Subject<'_>) -> Tightest {
@@ -24,7 +25,11 @@ pub(super) fn judge(subject: &Subject<'_>) -> Tightest {
                     slack,
                     place: gap.place,
                     detail: move || {
-                        format!("{side}, {distance:.4} m from {part}, radius {radius} m")
+                        format!(
+                            "{side}, {} from {part}, radius {}",
+                            length(distance),
+                            length(radius)
+                        )
                     },
                 })
             });

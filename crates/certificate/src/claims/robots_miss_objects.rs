@@ -3,6 +3,7 @@ use crate::subject::Subject;
 use crate::tightest::Tightest;
 use pairtrawl_geometry::{Bounds, Segment};
 use pairtrawl_model::Side;
+use pairtrawl_model::numbers::length;
 
 /// Each path keeps at least the robot radius from every object's footprint circle; margin in m.
 pub(super) fn judge(subject: &Subject<'_>) -> Tightest {
@@ -34,8 +35,9 @@ pub(super) fn judge(subject: &Subject<'_>) -> Tightest {
                         place: gap.place,
                         detail: move || {
                             format!(
-                                "{side}, {:.4} m from the footprint circle of object {j}, radius {radius} m",
-                                margin + radius
+                                "{side}, {} from the footprint circle of object {j}, radius {}",
+                                length(margin + radius),
+                                length(radius)
                             )
                         },
                     })

@@ -4,6 +4,7 @@ use crate::subject::Subject;
 use crate::tightest::Tightest;
 use pairtrawl_geometry::{Point, Segment};
 use pairtrawl_model::Side;
+use pairtrawl_model::numbers::length;
 
 /// d_min / d_max of the claim; the planner's own ratio does not enter.
 const MIN_RATIO: f64 = 0.1;
@@ -35,7 +36,9 @@ pub(super) fn judge(subject: &Subject<'_>) -> Tightest {
                 place: l0.lerp(l1, t).lerp(r0.lerp(r1, t), 0.5),
                 detail: move || {
                     format!(
-                        "the axles come within {d:.4} m, at least {least_distance:.4} m are needed"
+                        "the axles come within {}, at least {} are needed",
+                        length(d),
+                        length(least_distance)
                     )
                 },
             })
@@ -47,7 +50,11 @@ pub(super) fn judge(subject: &Subject<'_>) -> Tightest {
                 slack,
                 place,
                 detail: move || {
-                    format!("the axles are {d:.4} m apart, the net is {greatest} m long")
+                    format!(
+                        "the axles are {} apart, the net is {} long",
+                        length(d),
+                        length(greatest)
+                    )
                 },
             })
         });

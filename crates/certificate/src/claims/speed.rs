@@ -2,6 +2,7 @@ use crate::motion::Reading;
 use crate::subject::Subject;
 use crate::tightest::Tightest;
 use pairtrawl_geometry::Point;
+use pairtrawl_model::numbers::speed;
 use pairtrawl_model::{Robot, Side};
 use pairtrawl_reference::Reference;
 
@@ -56,10 +57,14 @@ impl Speeds<'_> {
         } = *self.robot;
         let wheel = forward + self.robot.half_track * turning;
         self.wheel.consider(v_max - wheel, step, place, || {
-            format!("{side}, a wheel at {wheel:.4} m/s, limit {v_max} m/s{on}")
+            format!(
+                "{side}, a wheel at {}, limit {}{on}",
+                speed(wheel),
+                speed(v_max)
+            )
         });
         self.turning.consider(omega_max - turning, step, place, || {
-            format!("{side} turns at {turning:.4} rad/s, limit {omega_max} rad/s{on}")
+            format!("{side} turns at {turning:.3} rad/s, limit {omega_max} rad/s{on}")
         });
     }
 

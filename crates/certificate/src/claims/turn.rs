@@ -1,5 +1,6 @@
 use crate::subject::Subject;
 use crate::tightest::Tightest;
+use pairtrawl_model::numbers::angle;
 
 /// The heading change per step is at most `max_turn`, headings being continuous; margin in rad.
 pub(super) fn judge(subject: &Subject<'_>) -> Tightest {
@@ -8,7 +9,7 @@ pub(super) fn judge(subject: &Subject<'_>) -> Tightest {
     for (side, i, from, to) in subject.robot_steps() {
         let turn = (to.heading - from.heading).abs();
         tightest.consider(limit - turn, i, from.position(), || {
-            format!("{side} turns {turn:.4} rad, limit {limit} rad")
+            format!("{side} turns {}, limit {}", angle(turn), angle(limit))
         });
     }
     tightest
