@@ -23,7 +23,7 @@ pub struct Failure {
     /// What to do about it.
     pub help: Option<String>,
     /// More for machines.
-    pub details: Details,
+    pub details: Box<Details>,
 }
 
 /// What a failure is about, for machines; what does not apply is left out.
@@ -183,7 +183,7 @@ impl Failure {
             scene: None,
             message: message.into(),
             help: None,
-            details: Details::default(),
+            details: Box::default(),
         }
     }
 
@@ -275,7 +275,7 @@ impl From<PlanError> for Failure {
         };
         Self {
             help: error.remedy(),
-            details,
+            details: Box::new(details),
             ..Self::new(exit, error.to_string())
         }
     }
@@ -294,7 +294,7 @@ impl From<FileError> for Failure {
             ..Details::default()
         };
         Self {
-            details,
+            details: Box::new(details),
             ..Self::new(exit, error.to_string())
         }
     }

@@ -491,3 +491,87 @@ fn run_refuses_a_plan_that_cannot_be_proven() {
     assert_eq!(ended.status.code(), Some(0), "{}", stderr(&ended));
     assert!(stdout(&ended).contains("cannot be proven"));
 }
+
+#[test]
+fn lengths_that_are_proven_infeasible_end_with_4() {
+    let (folder, scene) = folder_with(SMALL);
+    let out = folder.path().join("out");
+    let ended = run(&[
+        "length",
+        text(&scene),
+        "--from",
+        "0.4",
+        "--to",
+        "0.5",
+        "--points",
+        "2",
+        "-o",
+        text(&out),
+        "--json",
+    ]);
+    assert_eq!(ended.status.code(), Some(4), "{}", stderr(&ended));
+    let curve: Value = serde_json::from_str(&stdout(&ended)).expect("JSON");
+    let points = curve["points"].as_array().expect("points");
+    assert!(
+        points.len() == 2 && points.iter().all(|point| point["proven"] == true),
+        "{points:?}"
+    );
+    assert!(curve["minimum"]["cost"]["total"].is_null() || curve["ok"] == false);
+
+    // The object is pinned to the obstacle, whatever the net.
+    let (_pinned_folder, pinned) = folder_with(SMALL.replace("2.2, 0.4]", "2.2, 1.3]"));
+    let ended = run(&[
+        "length",
+        text(&pinned),
+        "--points",
+        "2",
+        "-o",
+        text(&out),
+        "--json",
+    ]);
+    assert_eq!(ended.status.code(), Some(4), "{}", stderr(&ended));
+    let refused: Value = serde_json::from_str(&stdout(&ended)).expect("JSON");
+    assert_eq!(refused["details"]["proof"], "object_pinned");
+    assert_eq!(refused["details"]["object"], 0);
+}
+
+#[cfg(unix)]
+#[test]
+fn control_c_keeps_the_lengths_that_are_solved() {
+    let (folder, scene) = folder_with(SMALL);
+    // How fast this machine is is not known: the signal comes later and later until some lengths are solved, and not all.
+    let kept = [300, 600, 1200, 2400, 4800, 9600]
+        .iter()
+        .find_map(|&milliseconds| {
+            let out = folder.path().join(milliseconds.to_string());
+            let child = program(&[
+                "length",
+                text(&scene),
+                "--points",
+                "1000",
+                "-o",
+                text(&out),
+                "--json",
+            ])
+            .stdout(Stdio::piped())
+            .stderr(Stdio::piped())
+            .spawn()
+            .expect("the program starts");
+            std::thread::sleep(std::time::Duration::from_millis(milliseconds));
+            let signal = std::process::Command::new("kill")
+                .args(["-INT", &child.id().to_string()])
+                .status();
+            assert!(signal.expect("kill runs").success());
+            let ended = child.wait_with_output().expect("the program ends");
+            assert_eq!(ended.status.code(), Some(130), "{}", stderr(&ended));
+            let object: Value = serde_json::from_str(&stdout(&ended)).expect("JSON");
+            let points = object["points"].as_array().map_or(0, Vec::len);
+            (points > 0).then_some((out, object))
+        });
+    let (out, object) = kept.expect("no length was solved in time");
+    assert_eq!(object["interrupted"], true);
+    assert!(object["points"].as_array().expect("points").len() < 1000);
+    let file = std::fs::read_to_string(out.join("length.json")).expect("length.json");
+    let file: Value = serde_json::from_str(&file).expect("JSON");
+    assert_eq!(file["points"], object["points"]);
+}

@@ -37,12 +37,12 @@ pub fn refuse_unproven(plan: &Plan) -> Result<(), Failure> {
     };
     let worst = failed(plan).min_by(|a, b| a.margin.total_cmp(&b.margin));
     Err(Failure {
-        details: Details {
+        details: Box::new(Details {
             claim: worst.map(|claim| claim.id.name()),
             step: worst.and_then(|claim| claim.step),
             margin: worst.map(|claim| claim.margin),
             ..Details::at(worst.and_then(|claim| claim.place))
-        },
+        }),
         ..Failure::new(Exit::Invalid, warning.to_string())
             .with_help("`pairtrawl check` shows where; --unproven drives it all the same")
     })
