@@ -9,13 +9,13 @@ pub struct ReferenceLimits {
     pub angular: f64,
 }
 
-/// Time in which the default robot may go from rest to its greatest speed, s: 0.26 m/s by 0.5 m/s^2.
-const TO_FULL_SPEED: f64 = 0.26 / 0.5;
-/// Time in which the default robot may go from rest to turning on the spot at full wheel speed, s: by 2.5 rad/s^2.
-const TO_FULL_TURN: f64 = 0.26 / 0.144 / 2.5;
+/// Time in which the default robot may go from rest to its greatest speed, s: 0.26 m/s by 0.7 m/s^2.
+const TO_FULL_SPEED: f64 = 0.26 / 0.7;
+/// Time in which the default robot may go from rest to turning on the spot at full wheel speed, s: by 3.5 rad/s^2.
+const TO_FULL_TURN: f64 = 0.26 / 0.144 / 3.5;
 
 impl ReferenceLimits {
-    /// Limits that a robot keeps with ease: 0.5 m/s^2 and 2.5 rad/s^2 for the default one, and for others such that they need
+    /// Limits that a robot keeps with ease: 0.7 m/s^2 and 3.5 rad/s^2 for the default one, and for others such that they need
     /// as long to reach their greatest speed and turning rate.
     pub fn of(robot: &Robot) -> Self {
         let turning = robot.omega_max.min(robot.v_max / robot.half_track);

@@ -3,7 +3,7 @@ use crate::step::StepBounds;
 use pairtrawl_model::{PlannerParameters, Robot, default_step_time};
 
 /// This part of the greatest acceleration is for changes of the pace (starts and stops), the rest for the curve's own.
-const FOR_PACE: f64 = 0.4;
+const FOR_PACE: f64 = 2.0 / 7.0;
 /// No step takes less than this part of the plan's default step time, not even one in which both robots wait.
 const LEAST_TIME: f64 = 0.01;
 

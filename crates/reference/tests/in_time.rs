@@ -146,7 +146,7 @@ fn drive(r: &Reference, instants: usize) -> impl Iterator<Item = Sample> {
 fn cruise_speed_turning_rate_and_accelerations_hold_at_every_instant() {
     let (robot, planner) = (Robot::default(), PlannerParameters::default());
     let limits = ReferenceLimits::of(&robot);
-    assert!((limits.linear - 0.5).abs() < 1e-12 && (limits.angular - 2.5).abs() < 1e-12);
+    assert!((limits.linear - 0.7).abs() < 1e-12 && (limits.angular - 3.5).abs() < 1e-12);
     for t in [course(100, 1.0), course(1000, 1.0), with_waits()] {
         let (mut fastest, mut hardest) = (0.0_f64, 0.0_f64);
         for s in drive(&reference(&t), 20_000) {
