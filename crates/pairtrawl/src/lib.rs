@@ -89,6 +89,7 @@ pub use pairtrawl_model as model;
 pub use pairtrawl_reference as reference;
 pub use pairtrawl_report as report;
 pub use pairtrawl_simulation as simulation;
+pub use pairtrawl_trajopt as trajopt;
 pub use pairtrawl_world as world;
 pub use plan::{Planned, plan};
 pub use planner::Planner;

@@ -139,7 +139,7 @@ impl Problem {
     }
 
     /// Adds a cost or constraint of the user's on the pair at a range of waypoints. Its local coordinates are
-    /// `rx, ry, phi_l, phi_r, d_max` ([`PAIR`]). A constraint is not asked of the ends, which are fixed; one that is not
+    /// `rx, ry, phi_l, phi_r, d_max` ([`PAIR`]), in units of the length scale. A constraint is not asked of the ends, which are fixed; one that is not
     /// met is named in `Solution::unmet`.
     #[must_use]
     pub fn with_pair_term(

@@ -57,7 +57,7 @@ impl Rule<StepAt, STEP> for Forward {
     fn term(self, _: &Problem, _: StepAt) -> impl Term<STEP> {
         StepBound {
             sign: 1.0,
-            offset: 0.0,
+            offset: -ROUNDING,
         }
     }
 
