@@ -23,7 +23,7 @@ pub struct Solution {
     pub objective: f64,
     /// How it ended.
     pub status: SolverStatus,
-    /// Interior-point iterations.
+    /// Interior-point iterations until solved; the few steps that settle the last of the slip are not counted.
     pub iterations: usize,
     /// Scaled optimality residuals.
     pub residuals: Residuals,

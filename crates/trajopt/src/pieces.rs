@@ -61,10 +61,9 @@ pub(crate) struct PieceIndex {
     columns: usize,
     rows: usize,
     buckets: Vec<Vec<u32>>,
+    /// Pieces farther than this from a point are not found.
+    pub reach: f64,
 }
-
-/// Pieces farther than this from a point are not found.
-pub(crate) const SEARCH_RADIUS: f64 = 1.0;
 
 fn bounds(piece: &Convex) -> (Point, Point) {
     match piece {
@@ -88,7 +87,7 @@ fn bounds(piece: &Convex) -> (Point, Point) {
 }
 
 impl PieceIndex {
-    pub(crate) fn new(pieces: &[Convex], area: &Area) -> Self {
+    pub(crate) fn new(pieces: &[Convex], area: &Area, reach: f64) -> Self {
         let size = area.max - area.min;
         // At most about 10^5 buckets, at least half a meter wide.
         let cell = (size.x * size.y / 1e5).sqrt().max(0.5);
@@ -101,10 +100,11 @@ impl PieceIndex {
             columns,
             rows,
             buckets: vec![Vec::new(); columns * rows],
+            reach,
         };
         for (id, piece) in pieces.iter().enumerate() {
             let (lo, hi) = bounds(piece);
-            let reach = Point::new(SEARCH_RADIUS, SEARCH_RADIUS);
+            let reach = Point::new(reach, reach);
             let ((c0, r0), (c1, r1)) = (index.bucket(lo - reach), index.bucket(hi + reach));
             for row in r0..=r1 {
                 for column in c0..=c1 {
@@ -121,7 +121,7 @@ impl PieceIndex {
         (clamp(q.x, self.columns), clamp(q.y, self.rows))
     }
 
-    /// Candidates for what lies within [`SEARCH_RADIUS`] of a point, in ascending order.
+    /// Candidates for what lies within reach of a point, in ascending order.
     pub(crate) fn near(&self, p: Point) -> &[u32] {
         let (column, row) = self.bucket(p);
         &self.buckets[row * self.columns + column]

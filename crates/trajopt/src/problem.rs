@@ -75,6 +75,11 @@ pub struct Reserve {
     pub skew: f64,
 }
 
+/// Obstacles are looked up at least this far from a point, in units of the length scale.
+const LEAST_REACH: f64 = 1.0;
+/// And this far beyond what robots keep from them and drive in a step.
+const AHEAD: f64 = 0.2;
+
 impl Problem {
     /// The problem of a scene with a net of `net_length` (`None`: to be chosen) among convex obstacles.
     pub fn new(scene: &Scene, net_length: Option<f64>, obstacles: &[Convex]) -> Self {
@@ -88,6 +93,9 @@ impl Problem {
             .iter()
             .map(|&(center, radius)| Convex::Circle { center, radius })
             .collect();
+        // Twice what is kept, since more may be asked for after a failure, and what lies ahead.
+        let kept = robot.radius + scene.planner.clearance;
+        let reach = (2.0 * kept + scene.planner.max_step + AHEAD).max(LEAST_REACH);
         Self {
             start: scene.start,
             end: scene.end,
@@ -95,9 +103,9 @@ impl Problem {
             planner: scene.planner,
             area: scene.area,
             net_length,
-            object_index: PieceIndex::new(&discs, &scene.area),
+            object_index: PieceIndex::new(&discs, &scene.area, reach),
             objects,
-            pieces: PieceIndex::new(obstacles, &scene.area),
+            pieces: PieceIndex::new(obstacles, &scene.area, reach),
             reserve: Reserve {
                 clearance: scene.planner.clearance,
                 net_clearance: scene.planner.clearance,

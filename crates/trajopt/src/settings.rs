@@ -28,7 +28,7 @@ impl Default for Settings {
             barrier_decrease: 0.1,
             relative_gap: 2e-4,
             relative_decrease: 1e-5,
-            feasibility_tolerance: 8e-8,
+            feasibility_tolerance: 1e-6,
             elastic_weight: 3e3,
         }
     }

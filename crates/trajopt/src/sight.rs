@@ -1,12 +1,13 @@
 //! What rules see of the course when they look up their rows.
 
 use crate::iterate::Iterate;
-use crate::pieces::{PieceIndex, SEARCH_RADIUS};
+use crate::pieces::PieceIndex;
 use crate::problem::Problem;
 use crate::tier::Tier;
 use pairtrawl_geometry::Point;
 
-/// Objects and obstacles are in play up to this far beyond the distance that is kept from them.
+/// Objects and obstacles are in play up to this far beyond the distance that is kept from them, in units of the length
+/// scale.
 pub(crate) const LOOK_AHEAD: f64 = 0.2;
 /// Rows of the claim itself are in play up to this far.
 const CLAIM_AHEAD: f64 = 0.15;
@@ -64,7 +65,7 @@ impl<'a> Sight<'a> {
         let index: &PieceIndex = &self.problem.pieces;
         self.candidates.clear();
         // Near enough to each other that what is near the line is found from one of them.
-        let stretches = (a.distance(b) / SEARCH_RADIUS).ceil();
+        let stretches = (a.distance(b) / index.reach).ceil();
         for k in 0..=stretches as usize {
             let p = a.lerp(b, k as f64 / stretches.max(1.0));
             let may_be_near = |id: &&u32| index.get(**id).may_be_near(a, b, reach);
