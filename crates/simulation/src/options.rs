@@ -4,7 +4,7 @@ use pairtrawl_model::{Scene, Units};
 /// How finely to simulate and what to record.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Options {
-    /// Time step of the physics, s; 1e-4 to 4e-3 for a machine of the paper's size ([`Self::for_scene`]).
+    /// Time step of the physics, s; 1e-5 to 4e-3 for a machine of the paper's size ([`Self::for_scene`]).
     pub time_step: f64,
     /// Solver iterations (substeps) per time step.
     pub iterations: usize,
@@ -51,6 +51,19 @@ impl Options {
         self.scaled(length, time)
     }
 
+    /// The same for a controller that sets the drive every `tick` seconds: as [`Self::for_scene`], with the time step a whole
+    /// part of the tick. No change for the default machine.
+    pub fn for_control(&self, scene: &Scene, tick: f64) -> Self {
+        if Units::of_machine(scene) == Units::SI {
+            return *self;
+        }
+        let scaled = self.for_scene(scene);
+        Self {
+            time_step: tick / (tick / scaled.time_step).ceil(),
+            ..scaled
+        }
+    }
+
     /// In units of the machine instead of SI units.
     pub(crate) fn in_units(&self, units: &Units) -> Self {
         let scaled = self.scaled(1.0 / units.length, 1.0 / units.time);
@@ -84,11 +97,39 @@ impl Options {
                 })
             }
         };
-        check("time_step", self.time_step, 1e-4, 4e-3)?;
+        check("time_step", self.time_step, 1e-5, 4e-3)?;
         check("iterations", self.iterations as f64, 1.0, 64.0)?;
         check("sweeps", self.sweeps as f64, 1.0, 64.0)?;
         check("frame_interval", self.frame_interval, self.time_step, 60.0)?;
         check("settle_time", self.settle_time, 0.0, 60.0)?;
         check("max_deviation", self.max_deviation, 1e-3, 10.0)
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::theory_tests::scene;
+
+    #[test]
+    fn a_controlled_step_is_a_whole_part_of_the_tick_and_right_for_the_machine() {
+        let default = Options::default();
+        assert_eq!(default.for_control(&scene(Vec::new()), 0.002), default);
+        for radius in [0.0048, 0.1, 2.4, 240.0] {
+            let mut scene = scene(Vec::new());
+            scene.robot.radius = radius;
+            let options = default.for_control(&scene, 0.002);
+            let steps = 0.002 / options.time_step;
+            assert!(
+                (steps - steps.round()).abs() < 1e-9 && steps > 0.5,
+                "{steps}"
+            );
+            let units = Units::of_machine(&scene);
+            assert!(
+                options.time_step <= 1e-3 * units.time * (1.0 + 1e-12),
+                "{radius}"
+            );
+            assert_eq!(options.in_units(&units).validate(), Ok(()), "{radius}");
+        }
     }
 }

@@ -15,7 +15,7 @@ use pairtrawl_model::{
 };
 use rapier2d_f64::prelude::{ColliderBuilder, RigidBodyBuilder};
 
-fn scene(objects: Vec<Object>) -> Scene {
+pub(crate) fn scene(objects: Vec<Object>) -> Scene {
     let pair = PairPose {
         left: Pose::new(-0.3, 0.0, 0.0),
         right: Pose::new(0.3, 0.0, 0.0),
