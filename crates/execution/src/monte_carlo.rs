@@ -9,8 +9,8 @@ use crate::statistics::{mixed_seed, quantile};
 use crate::{ExecutionError, NominalInertia};
 use pairtrawl_control::SupervisorLimits;
 use pairtrawl_model::{ControllerKind, PairTrajectory, Scene};
+use pairtrawl_parallel::prelude::*;
 use pairtrawl_reference::Reference;
-use rayon::prelude::*;
 
 /// What is drawn, each evenly between two bounds.
 #[derive(Clone, Debug, PartialEq)]

@@ -1,7 +1,7 @@
 use crate::{ExecutionError, ExecutionObserver, ExecutionOptions, trial};
 use pairtrawl_model::{Cost, PairTrajectory, Scene, Trial};
+use pairtrawl_parallel::prelude::*;
 use pairtrawl_reference::Reference;
-use rayon::prelude::*;
 
 /// What is driven, and how.
 #[derive(Clone, Copy)]

@@ -3,11 +3,12 @@
 mod recording;
 
 pub use pairtrawl_execution::*;
-pub use recording::{WriteRecordingError, recording, write_recording};
+#[cfg(feature = "fs")]
+pub use recording::write_recording;
+pub use recording::{WriteRecordingError, recording};
 
 use pairtrawl_model::{Certificate, Claim, Execution, PairTrajectory, Plan, Scene, Warning};
 use pairtrawl_reference::Reference;
-use std::time::Instant;
 
 /// Drives a plan in full physics, several trials in parallel on the current thread pool.
 ///
@@ -49,7 +50,6 @@ pub fn execute_trajectory(
         return Err(ExecutionError::Unproven { claims: failed });
     }
     let warnings = failed.iter().map(unproven_warning).collect();
-    let begin = Instant::now();
     let task = Task {
         scene,
         net_length,
@@ -58,7 +58,7 @@ pub fn execute_trajectory(
         options,
     };
     let host = Host {
-        clock: &|| begin.elapsed().as_secs_f64(),
+        clock: &crate::clock::seconds,
         cost: &|driven| pairtrawl_trajopt::evaluate(scene, driven, net_length),
         observer,
     };

@@ -4,9 +4,9 @@ use crate::options::Method;
 use crate::prepare::Prepared;
 use crate::start::{Candidates, Start};
 use pairtrawl_model::{PairTrajectory, Side, SolverStatus};
+use pairtrawl_parallel::prelude::*;
 use pairtrawl_route::with_lead;
 use pairtrawl_trajopt::{Problem, Settings, optimize_watched};
-use rayon::prelude::*;
 
 /// How a baseline is varied.
 #[derive(Clone, Copy, Debug)]

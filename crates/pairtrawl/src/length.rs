@@ -11,8 +11,8 @@ use crate::run::Run;
 use crate::tighten::Tightening;
 use pairtrawl_certificate::infeasibility;
 use pairtrawl_model::{Cost, LengthCurve, LengthPoint, LengthRefusal, Scales, Scene};
+use pairtrawl_parallel::prelude::*;
 use pairtrawl_trajopt::evaluate;
-use rayon::prelude::*;
 
 /// Which net lengths the curve is computed for.
 #[derive(Clone, Copy, Debug, PartialEq)]

@@ -56,6 +56,7 @@
 
 mod attempt;
 mod check;
+mod clock;
 mod common_start;
 mod error;
 pub mod execute;

@@ -49,6 +49,12 @@ pub trait Observer: Sync {
     /// Something that a person may want to know while it runs.
     fn noted(&mut self, _message: &str) {}
 
+    /// Seconds since some fixed instant. The time limit and the seconds of stages come from it, and nothing else does. By
+    /// default the system's clock; without feature `fs` there is none: time stands still, no limit is reached.
+    fn now(&self) -> f64 {
+        crate::clock::seconds()
+    }
+
     /// Asked between stages, between rounds, and many times while starts are explored and trajectories optimized: true ends the work with `PlanError::Interrupted`.
     fn interrupted(&self) -> bool {
         false

@@ -2,13 +2,12 @@ use crate::error::PlanError;
 use crate::observer::{Observer, Stage};
 use crate::options::PlanOptions;
 use pairtrawl_model::StageTime;
-use std::time::Instant;
 
-/// One planning run under way: its clock, its observer and the seconds of its stages. The clock is read here and nowhere
-/// below this crate.
+/// One planning run under way: its clock, its observer and the seconds of its stages. The clock is the observer's, and is
+/// read nowhere below this crate.
 pub(crate) struct Run<'a> {
     observer: &'a mut dyn Observer,
-    begin: Instant,
+    begin: f64,
     limit: Option<f64>,
     last: Stage,
     /// The round of optimization, from 1.
@@ -19,9 +18,10 @@ pub(crate) struct Run<'a> {
 
 impl<'a> Run<'a> {
     pub fn new(options: &PlanOptions, observer: &'a mut dyn Observer) -> Self {
+        let begin = observer.now();
         Self {
             observer,
-            begin: Instant::now(),
+            begin,
             limit: options.time_limit.map(|limit| limit.as_secs_f64()),
             last: Stage::Proofs,
             round: 1,
@@ -55,9 +55,9 @@ impl<'a> Run<'a> {
         self.may_go_on()?;
         self.last = stage;
         self.observer.started(stage, self.round);
-        let begin = Instant::now();
+        let begin = self.observer.now();
         let result = work(&|| self.may_go_on().is_ok());
-        let seconds = begin.elapsed().as_secs_f64();
+        let seconds = self.observer.now() - begin;
         self.observer.finished(stage, seconds);
         match self
             .stages
@@ -92,12 +92,10 @@ impl<'a> Run<'a> {
             return Err(PlanError::Interrupted);
         }
         match self.limit {
-            Some(limit) if self.begin.elapsed().as_secs_f64() > limit => {
-                Err(PlanError::TimeLimit {
-                    limit,
-                    stage: self.last,
-                })
-            }
+            Some(limit) if self.observer.now() - self.begin > limit => Err(PlanError::TimeLimit {
+                limit,
+                stage: self.last,
+            }),
             _ => Ok(()),
         }
     }

@@ -7,8 +7,8 @@ use crate::observer::{Observer, Stage};
 use crate::options::PlanOptions;
 use crate::run::Run;
 use pairtrawl_model::{Cost, PairTrajectory, Scene};
+use pairtrawl_parallel::prelude::*;
 use pairtrawl_trajopt::{Problem, SeparationRule, Settings, Solution, evaluate, optimize};
-use rayon::prelude::*;
 
 /// The paper's comparison of its U-shaped separation cost with two others (its Fig. 7). Studies: their trajectories break
 /// claims, so they are never plans.

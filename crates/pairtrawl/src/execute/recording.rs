@@ -1,12 +1,9 @@
 //! A trial as a rosbag2 folder.
 
-use crate::files::{FileError, write_atomically};
+use crate::files::FileError;
 use pairtrawl_model::{PairTrajectory, Scene, Trial};
-use pairtrawl_report::mcap::{
-    RECORDING_NAME, RecordedMap, Recording, RecordingError, RecordingFiles, record,
-};
+use pairtrawl_report::mcap::{RecordedMap, Recording, RecordingError, RecordingFiles, record};
 use pairtrawl_world::{Cell, World, WorldError};
-use std::path::Path;
 
 /// Why a recording cannot be written.
 #[derive(Debug, thiserror::Error)]
@@ -56,18 +53,21 @@ pub fn recording(
     })?)
 }
 
+#[cfg(feature = "fs")]
 /// Writes `run.mcap` and `metadata.yaml` of a trial into a folder that exists: the folder is then a rosbag2.
 ///
 /// # Errors
 /// As [`recording`], and when the system refuses.
 pub fn write_recording(
-    folder: &Path,
+    folder: &std::path::Path,
     scene: &Scene,
     net_length: f64,
     plan: &PairTrajectory,
     times: &[f64],
     trial: &Trial,
 ) -> Result<(), WriteRecordingError> {
+    use crate::files::write_atomically;
+    use pairtrawl_report::mcap::RECORDING_NAME;
     let files = recording(scene, net_length, plan, times, trial)?;
     write_atomically(&folder.join(RECORDING_NAME), &files.mcap)?;
     Ok(write_atomically(

@@ -1,15 +1,5 @@
-use super::{FileError, write_atomically};
 use pairtrawl_reference::Reference;
 use std::fmt::Write;
-use std::path::Path;
-
-/// Writes `plan.csv`, atomically.
-///
-/// # Errors
-/// When the system refuses.
-pub fn write_csv(path: &Path, reference: &Reference) -> Result<(), FileError> {
-    write_atomically(path, csv_text(reference).as_bytes())
-}
 
 /// What the robots drive: a header and a line for each waypoint with the time at which they pass it (s), their poses (m and
 /// rad), and then speed along the heading (`v`, m/s) and turning rate (`omega`, rad/s) of each. Numbers are the shortest that

@@ -114,6 +114,7 @@ impl FileError {
         }
     }
 
+    #[cfg(feature = "fs")]
     pub(super) fn system(path: &Path, action: &'static str, source: std::io::Error) -> Self {
         Self::new(path, Problem::System { action, source })
     }

@@ -4,7 +4,7 @@ pub(super) mod file;
 mod write;
 
 pub use file::ExecutionFigures;
-pub use write::{execution_json, write_execution};
+pub use write::execution_json;
 
 /// The first field of every execution.
 const FORMAT: &str = "pairtrawl-execution/1";

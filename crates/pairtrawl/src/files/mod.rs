@@ -2,14 +2,17 @@
 //!
 //! Reading: every byte is distrusted. Files are regular and bounded in size before they are read, errors name the file,
 //! the line where there is one, the field, its value, the bound and the remedy.
+//! Only feature `fs` touches a disk; texts and bytes are read and made without it.
 //! Writing: to a temporary file in the same folder, synced, renamed, so that a reader sees the old file or the new one.
 
+#[cfg(feature = "fs")]
 mod atomic;
 mod csv;
+#[cfg(feature = "fs")]
+mod disk;
 mod error;
 mod execution;
 mod hash;
-mod limits;
 mod parts;
 mod plan;
 mod scene;
@@ -18,14 +21,18 @@ mod schema;
 mod toml_reader;
 mod tum;
 
+#[cfg(feature = "fs")]
 pub use atomic::{check_writable, write_atomically};
-pub use csv::{csv_text, write_csv};
+pub use csv::csv_text;
+#[cfg(feature = "fs")]
+pub use disk::{
+    read_bounded, read_plan, read_scene, write_csv, write_execution, write_plan, write_tum,
+};
 pub use error::{FileError, Problem};
-pub use execution::{ExecutionFigures, execution_json, write_execution};
+pub use execution::{ExecutionFigures, execution_json};
 pub use hash::sha256_hex;
-pub use limits::read_bounded;
-pub use plan::{PlanFile, parse_plan, plan_json, read_plan, write_plan};
-pub use scene::{LoadedScene, parse_scene, parse_scene_with, read_scene};
+pub use plan::{PlanFile, parse_plan, plan_json};
+pub use scene::{LoadedScene, parse_scene, parse_scene_with};
 #[cfg(feature = "schema")]
 pub use schema::schemas;
-pub use tum::{tum_text, write_tum};
+pub use tum::tum_text;

@@ -1,6 +1,8 @@
 //! Objects that several file formats share.
 
-use pairtrawl_model::{Claim, ClaimId, Cost, SceneReference};
+#[cfg(feature = "schema")]
+use pairtrawl_model::ClaimId;
+use pairtrawl_model::{Claim, Cost, SceneReference};
 use serde::{Deserialize, Serialize};
 
 /// A scene, by name and by hash.

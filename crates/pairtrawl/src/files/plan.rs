@@ -5,8 +5,8 @@ mod layout;
 mod read;
 mod write;
 
-pub use read::{PlanFile, parse_plan, read_plan};
-pub use write::{plan_json, write_plan};
+pub use read::{PlanFile, parse_plan};
+pub use write::plan_json;
 
 /// The first field of every plan.
 const FORMAT: &str = "pairtrawl-plan/1";

@@ -6,7 +6,6 @@ pub(super) mod content;
 mod parameters;
 mod shapes;
 
-use super::limits::{SCENE_BYTES, read_bounded, text};
 use super::toml_reader::{Document, Table};
 use super::{FileError, Problem, sha256_hex};
 use pairtrawl_model::{PairPose, Scene, SceneReference, Warning};
@@ -27,21 +26,10 @@ pub struct LoadedScene {
     pub warnings: Vec<Warning>,
 }
 
-/// Reads and checks a scene file and the map that it names.
-///
-/// # Errors
-/// When a file cannot be read, is no scene, or describes one that makes no sense.
-pub fn read_scene(path: &Path) -> Result<LoadedScene, FileError> {
-    let bytes = read_bounded(path, SCENE_BYTES)?;
-    parse(path, text(path, &bytes)?, &|file, bound| {
-        read_bounded(file, bound)
-    })
-}
-
 /// Reads a scene that needs no other file, such as an embedded one; `name` stands for the file in messages.
 ///
 /// # Errors
-/// As [`read_scene`].
+/// When it is no scene, names a map, or describes one that makes no sense.
 pub fn parse_scene(text: &str, name: &str) -> Result<LoadedScene, FileError> {
     parse_scene_with(text, name, &|_| None)
 }
@@ -50,7 +38,7 @@ pub fn parse_scene(text: &str, name: &str) -> Result<LoadedScene, FileError> {
 /// spell, relative to the scene.
 ///
 /// # Errors
-/// As [`read_scene`].
+/// As [`parse_scene`], and when a file of the map is missing or no map.
 pub fn parse_scene_with(
     text: &str,
     name: &str,
@@ -64,7 +52,11 @@ pub fn parse_scene_with(
 /// Reads a file whose size in bytes is bounded by the second argument.
 type ReadFile<'a> = &'a dyn Fn(&Path, u64) -> Result<Vec<u8>, FileError>;
 
-fn parse(path: &Path, text: &str, read_file: ReadFile<'_>) -> Result<LoadedScene, FileError> {
+pub(super) fn parse(
+    path: &Path,
+    text: &str,
+    read_file: ReadFile<'_>,
+) -> Result<LoadedScene, FileError> {
     let document = Document { path, text };
     let root = DeTable::parse(text).map_err(|e| {
         let reason = e.message().to_owned();

@@ -1,16 +1,6 @@
-use super::{FileError, write_atomically};
 use pairtrawl_model::Side;
 use pairtrawl_reference::Reference;
 use std::fmt::Write;
-use std::path::Path;
-
-/// Writes what one robot drives as a TUM file, atomically.
-///
-/// # Errors
-/// When the system refuses.
-pub fn write_tum(path: &Path, reference: &Reference, side: Side) -> Result<(), FileError> {
-    write_atomically(path, tum_text(reference, side).as_bytes())
-}
 
 /// A line `t x y z qx qy qz qw` for each waypoint, with the time at which the robot passes it, in s and m, map frame: z is 0
 /// and the quaternion is a turn by the heading about +z.

@@ -4,28 +4,12 @@ use super::file::{
     FileReference, FileTracking, FileTrial, Quantiles, Sides,
 };
 use crate::files::parts::{FileClaim, FileCost, Reference, finite};
-use crate::files::{FileError, write_atomically};
 use pairtrawl_execution::{ExecutionOptions, quantile};
 use pairtrawl_geometry::Pose;
 use pairtrawl_model::{
     DragStatistics, Execution, ExecutionEvent, SceneReference, TrackingStatistics, Trial,
     TrialConditions,
 };
-use std::path::Path;
-
-/// Writes `execution.json` atomically.
-///
-/// # Errors
-/// When the system refuses.
-pub fn write_execution(
-    path: &Path,
-    execution: &Execution,
-    options: &ExecutionOptions,
-    scene: &SceneReference,
-) -> Result<(), FileError> {
-    let text = execution_json(execution, options, scene);
-    write_atomically(path, text.as_bytes())
-}
 
 /// The execution with the options that it was made with, as JSON with a line end. Numbers are the shortest that read back
 /// as the same bits; a quantile of nothing is null. Samples and frames are not part of it.

@@ -1,5 +1,7 @@
+#[cfg(feature = "schema")]
 use super::FORMAT;
 use crate::files::parts::{FileClaim, FileCost, Reference};
+#[cfg(feature = "schema")]
 use pairtrawl_model::SolverStatus;
 use serde::{Deserialize, Serialize};
 

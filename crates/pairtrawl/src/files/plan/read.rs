@@ -1,6 +1,5 @@
 use super::FORMAT;
 use super::file::{Auto, File, FileNetLength, FileRehearsal, FileSolver};
-use crate::files::limits::{PLAN_BYTES, read_bounded, text};
 use crate::files::{FileError, Problem};
 use pairtrawl_geometry::{Point, Pose};
 use pairtrawl_model::{
@@ -57,19 +56,10 @@ impl PlanFile {
     }
 }
 
-/// Reads a plan file.
-///
-/// # Errors
-/// When it cannot be read, is not JSON, lacks one of the first four fields, or has numbers that mean nothing.
-pub fn read_plan(path: &Path) -> Result<PlanFile, FileError> {
-    let bytes = read_bounded(path, PLAN_BYTES)?;
-    parse_plan(text(path, &bytes)?, path)
-}
-
 /// Reads the text of a plan; `path` stands for the file in messages.
 ///
 /// # Errors
-/// As [`read_plan`].
+/// When it is not JSON, lacks one of the first four fields, or has numbers that mean nothing.
 pub fn parse_plan(text: &str, path: &Path) -> Result<PlanFile, FileError> {
     let syntax = |e: serde_json::Error| FileError {
         path: path.to_owned(),

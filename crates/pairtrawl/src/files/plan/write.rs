@@ -5,20 +5,8 @@ use super::file::{
 };
 use super::layout::lines;
 use crate::files::parts::{FileClaim, FileCost, Reference, finite};
-use crate::files::{FileError, write_atomically};
 use pairtrawl_geometry::Pose;
 use pairtrawl_model::{Certificate, Plan, Rehearsal, SolverReport};
-use std::path::Path;
-
-/// Writes `plan.json`, every field of the format, atomically.
-///
-/// # Errors
-/// When the system refuses.
-pub fn write_plan(path: &Path, plan: &Plan) -> Result<(), FileError> {
-    let text =
-        plan_json(plan).map_err(|e| FileError::system(path, "write the plan as JSON", e.into()))?;
-    write_atomically(path, text.as_bytes())
-}
 
 /// The plan as one JSON object, a line for each field, with a line end. Numbers are the shortest that read back as the
 /// same bits; a margin that nothing bounds (no obstacle to keep clear of) is null.

@@ -1,7 +1,6 @@
 //! `[area]`: a rectangle or a ROS map.
 
 use super::ReadFile;
-use crate::files::limits::{MAP_IMAGE_BYTES, MAP_YAML_BYTES};
 use crate::files::toml_reader::{FARTHEST, Range, Table, Value};
 use crate::files::{FileError, Problem};
 use pairtrawl_geometry::Point;
@@ -12,6 +11,10 @@ use std::path::Path;
 
 /// Cell size of the occupancy grid when the scene gives none, m, for robots of the paper's size.
 const DEFAULT_RESOLUTION: f64 = 0.05;
+/// Bytes of a map's YAML file.
+const MAP_YAML_BYTES: u64 = 64 << 10;
+/// Bytes of a map's image.
+const MAP_IMAGE_BYTES: u64 = 256 << 20;
 
 /// What `[area]` says.
 pub(super) struct ReadArea {
