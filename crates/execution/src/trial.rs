@@ -22,8 +22,8 @@ pub(crate) fn run(task: &Task, host: &Host, index: usize) -> Result<Option<Trial
     let seed = trial_seed(options.seed, index);
     let conditions = draw(task, seed);
     let scene = changed(task.scene, &conditions);
-    let time_step = options.physics.time_step;
-    let physics = options.physics;
+    let physics = options.physics.for_control(&scene, TORQUE_PERIOD);
+    let time_step = physics.time_step;
     let mut simulation = Simulation::starting_at(
         &scene,
         task.net_length,
