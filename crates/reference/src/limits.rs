@@ -1,4 +1,4 @@
-use pairtrawl_model::Robot;
+use pairtrawl_model::{Robot, Scales};
 
 /// How hard the pair may accelerate, whatever makes it do so: a start, a stop, a turn of the curve.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -16,12 +16,14 @@ const TO_FULL_TURN: f64 = 0.26 / 0.144 / 3.5;
 
 impl ReferenceLimits {
     /// Limits that a robot keeps with ease: 0.7 m/s^2 and 3.5 rad/s^2 for the default one, and for others such that they need
-    /// as long to reach their greatest speed and turning rate.
+    /// as long to reach their greatest speed and turning rate, in times that grow with the root of their size.
     pub fn of(robot: &Robot) -> Self {
         let turning = robot.omega_max.min(robot.v_max / robot.half_track);
+        // Times grow with the root of the size, as everything does that moves under gravity.
+        let time = Scales::of_robot(robot).length.sqrt();
         Self {
-            linear: robot.v_max / TO_FULL_SPEED,
-            angular: turning / TO_FULL_TURN,
+            linear: robot.v_max / (TO_FULL_SPEED * time),
+            angular: turning / (TO_FULL_TURN * time),
         }
     }
 }
