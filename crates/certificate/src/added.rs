@@ -1,5 +1,5 @@
 use crate::TOLERANCE;
-use pairtrawl_model::{Claim, ClaimId, Overrides, SceneReference};
+use pairtrawl_model::{Claim, ClaimId, Overrides, PairTrajectory, Robot, SceneReference};
 use pairtrawl_reference::Reference;
 
 /// A time law that is stated may differ from the one that is derived by this much, s, and by `TOLERANCE` of the time.
@@ -73,30 +73,49 @@ pub fn net_length_claim(plan: f64, scene: Option<f64>, overrides: &Overrides) ->
     }
 }
 
-/// Refuses the claim `speed` of a plan that states another time law (s at each waypoint) than the one that follows from scene
-/// and waypoints: that law is not what is driven.
-pub fn compare_time_law(speed: &mut Claim, reference: &Reference, stated: &[f64]) {
+/// Judges the time law that a plan states (s at each waypoint) where it is another one than follows from scene and waypoints,
+/// as in plans of earlier versions: what is driven is the derived one, but whoever drives by the stated times must keep the
+/// robot's limits as well. The claim `speed` takes the smaller margin, and its detail says so.
+pub fn judge_stated_time_law(
+    speed: &mut Claim,
+    robot: &Robot,
+    trajectory: &PairTrajectory,
+    (reference, stated): (&Reference, &[f64]),
+) {
     let derived = reference.time_law();
-    let other = |(_, (t, stated)): &(usize, (&f64, &f64))| {
-        // Also what is not a number is another time.
-        let near = (*t - *stated).abs() <= SAME_TIME + TOLERANCE * t.abs();
-        !near
-    };
-    let difference = derived.iter().zip(stated).enumerate().find(other);
-    let doubt = match difference {
-        Some((i, (t, stated))) => format!(
-            "the plan says that waypoint {i} is passed at {stated} s, its waypoints make it {t:.6} s"
-        ),
-        None if derived.len() != stated.len() => format!(
-            "the plan's time law has {} times for {} waypoints",
-            stated.len(),
-            derived.len()
-        ),
-        None => return,
-    };
-    speed.holds = false;
-    speed.margin = f64::NEG_INFINITY;
-    speed.step = difference.map(|(i, _)| i);
-    speed.place = None;
-    speed.detail = format!("{doubt}: the file was edited, or is of another version");
+    if derived.len() != stated.len() {
+        let (times, waypoints) = (stated.len(), derived.len());
+        let detail = format!("the plan's time law has {times} times for {waypoints} waypoints");
+        return refuse(speed, None, detail);
+    }
+    // Written so that what is not a number is another time.
+    let near = |(t, stated): (&f64, &f64)| (t - stated).abs() <= SAME_TIME + TOLERANCE * t.abs();
+    if derived.iter().zip(stated).all(near) {
+        return;
+    }
+    for (i, times) in stated.windows(2).enumerate() {
+        let time = times[1] - times[0];
+        for poses in [&trajectory.left, &trajectory.right] {
+            let turning = (poses[i + 1].heading - poses[i].heading).abs();
+            let driven = poses[i].position().distance(poses[i + 1].position());
+            let wheel = driven + robot.half_track * turning;
+            let within = wheel <= robot.v_max * time * (1.0 + TOLERANCE)
+                && turning <= robot.omega_max * time * (1.0 + TOLERANCE);
+            if !(within && time >= 0.0 && times[0] >= 0.0) {
+                let detail = format!(
+                    "by the plan's own time law step {i} takes {time:.6} s, which is too fast for a robot: the file was edited"
+                );
+                return refuse(speed, Some(i), detail);
+            }
+        }
+    }
+    speed.detail += "; the plan states another time law, which keeps the limits too: it was edited, or is of another version";
+}
+
+fn refuse(claim: &mut Claim, step: Option<usize>, detail: String) {
+    claim.holds = false;
+    claim.margin = f64::NEG_INFINITY;
+    claim.step = step;
+    claim.place = None;
+    claim.detail = detail;
 }

@@ -39,7 +39,7 @@ mod search;
 mod subject;
 mod tightest;
 
-pub use added::{compare_time_law, net_length_claim, scene_claim};
+pub use added::{judge_stated_time_law, net_length_claim, scene_claim};
 pub use clearance::Clearance;
 pub use subject::COORDINATE_LIMIT;
 

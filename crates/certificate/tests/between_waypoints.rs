@@ -2,7 +2,7 @@
 
 mod support;
 
-use pairtrawl_certificate::{certify, compare_time_law};
+use pairtrawl_certificate::{certify, judge_stated_time_law};
 use pairtrawl_geometry::{Point, Pose};
 use pairtrawl_model::{
     Claim, ClaimId, Footprint, Object, Obstacle, PairTrajectory, PlannerParameters, Robot,
@@ -245,7 +245,7 @@ fn a_curve_that_rolls_back_or_misses_its_end_is_seen() {
 }
 
 #[test]
-fn a_reference_of_another_plan_and_a_time_law_of_another_are_refused() {
+fn a_reference_of_another_plan_and_times_that_are_too_fast_are_refused() {
     let plan = case(STRAIGHT, TO_THE_LEFT);
     let mut shorter = plan.clone();
     shorter.trajectory.left.pop();
@@ -262,20 +262,35 @@ fn a_reference_of_another_plan_and_a_time_law_of_another_are_refused() {
     let speed = claim(&plan, ClaimId::Speed, Some(&r));
     let with = |law: &[f64]| {
         let mut claim = speed.clone();
-        compare_time_law(&mut claim, &r, law);
+        judge_stated_time_law(&mut claim, &plan.scene.robot, &plan.trajectory, (&r, law));
         claim
     };
     let law = r.time_law();
     let rounded: Vec<f64> = law.iter().map(|t| (t * 1e7).round() / 1e7).collect();
     assert!(with(&law).holds && with(&rounded).holds);
     for i in 0..law.len() {
-        for other in [law[i] + 2e-6, law[i] - 2e-6, f64::NAN] {
+        let edited = |time: f64| {
             let mut edited = law.clone();
-            edited[i] = other;
-            let claim = with(&edited);
-            assert!(!claim.holds && claim.step == Some(i), "{claim:?}");
+            edited[i] = time;
+            with(&edited)
+        };
+        // Too late for the next waypoint, or too early after the one before.
+        let (too_fast, step) = if i + 1 < law.len() {
+            (law[i + 1] - 0.01, i)
+        } else {
+            (law[i - 1] + 0.01, i - 1)
+        };
+        for (time, step) in [(too_fast, step), (f64::NAN, i.saturating_sub(1))] {
+            let claim = edited(time);
+            assert!(!claim.holds && claim.step == Some(step), "{claim:?}");
             assert!(claim.detail.contains("edited"), "{claim:?}");
         }
+        // Another law that keeps the limits is no danger, but it is said.
+        let claim = edited(law[i] + 2e-6);
+        assert!(
+            claim.holds && claim.detail.contains("another time law"),
+            "{claim:?}"
+        );
     }
     assert!(!with(&law[1..]).holds && !with(&law[..5]).holds);
 }

@@ -1,4 +1,4 @@
-use pairtrawl_certificate::{certify, compare_time_law, net_length_claim, scene_claim};
+use pairtrawl_certificate::{certify, judge_stated_time_law, net_length_claim, scene_claim};
 use pairtrawl_model::{
     Certificate, Claim, ClaimId, Overrides, PairTrajectory, Scene, SceneReference,
 };
@@ -47,7 +47,8 @@ pub fn check(scene: &Scene, reference: &SceneReference, candidate: &Candidate) -
     if let Some((reference, stated)) = &driven
         && let Some(speed) = claims.iter_mut().find(|claim| claim.id == ClaimId::Speed)
     {
-        compare_time_law(speed, reference, stated);
+        let (robot, trajectory) = (&scene.robot, candidate.trajectory);
+        judge_stated_time_law(speed, robot, trajectory, (reference, stated));
     }
     Certificate { claims }
 }
