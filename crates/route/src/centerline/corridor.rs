@@ -17,40 +17,42 @@ pub(crate) struct Strictness {
 }
 
 /// From comfortable to barely possible: turning radius and reach first, then the room of a pair abreast. The turning radius
-/// goes from the comfortable one down to half the usual separation, where the inner robot turns on the spot.
+/// goes from the comfortable one down to half the usual separation, where the inner robot turns on the spot. How far from a
+/// circle the way may pass goes with the comfortable one: a pair that turns widely cannot meet circles close to each other.
 pub(crate) fn ladder(pair: &PairMeasures) -> [Strictness; 5] {
     let tightest = pair.half_separation;
     let radius = |share: f64| tightest + share * (pair.turning - tightest);
+    let reach = |share: f64| share * pair.turning;
     [
         Strictness {
             radius: radius(1.0),
             floor: 1.0,
             side_floor: 0.04,
-            reach: 0.12,
+            reach: reach(0.2),
         },
         Strictness {
             radius: radius(0.5),
             floor: 1.0,
             side_floor: 0.04,
-            reach: 0.12,
+            reach: reach(0.2),
         },
         Strictness {
             radius: radius(0.5),
             floor: 1.0,
             side_floor: 0.04,
-            reach: 0.3,
+            reach: reach(0.5),
         },
         Strictness {
             radius: radius(1.0 / 6.0),
             floor: 0.8,
             side_floor: -0.1,
-            reach: 0.3,
+            reach: reach(0.5),
         },
         Strictness {
             radius: radius(0.0),
             floor: 0.5,
             side_floor: f64::NEG_INFINITY,
-            reach: 0.5,
+            reach: reach(5.0 / 6.0),
         },
     ]
 }
