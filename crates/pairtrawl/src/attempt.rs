@@ -129,7 +129,7 @@ impl<'a> Course<'a> {
         origin: &Origin,
         go_on: &mut dyn FnMut(usize, &Residuals) -> bool,
     ) -> Solution {
-        let settings = origin.settings();
+        let settings = origin.settings().settled();
         let first_length = match (self.prepared.options.method, origin) {
             (Method::Joint, Origin::Centerline(..)) => {
                 return optimize_watched(problem, start, &settings, go_on);

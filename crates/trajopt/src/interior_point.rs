@@ -19,9 +19,7 @@ const POLISHING_INCREASE: f64 = 4.0;
 const GREATEST_POLISHING_SHIFT: f64 = 1e7;
 /// Constraints near are looked up again when a robot moved this far, m.
 const REFRESH_DISTANCE: f64 = 0.12;
-/// A solved problem takes a last step or two, which are not counted, until its residuals are below this: claims have absolute
-/// tolerances in m, which are tiny in units of a machine a thousand times the size of the paper's.
-const SETTLED: f64 = 8e-8;
+/// Most steps, which are not counted, that a solved problem takes to reach [`Settings::settled_tolerance`].
 const MOST_SETTLING: usize = 3;
 /// Violations that cost more than this share of the objective are watched.
 const STALL_SHARE: f64 = 0.05;
@@ -69,7 +67,9 @@ pub(crate) fn solve(
         work.system
             .assemble(problem, &state.x, &mut state.set, &state.lambda, state.mu);
         state.residuals.dual = stationarity(&work.system, free_length);
-        if converged && (state.residuals.primal <= SETTLED || settling == MOST_SETTLING) {
+        if converged
+            && (state.residuals.primal <= settings.settled_tolerance || settling == MOST_SETTLING)
+        {
             return SolverStatus::Converged;
         }
         if optimal {

@@ -113,7 +113,7 @@ impl Problem {
                 separation: 1e-3,
                 greatest_separation: 1e-6,
                 net_reach: 5e-4,
-                skew: 9e-3,
+                skew: 1.2e-2,
             },
             separation: SeparationRule::UShape,
             frozen: None,
