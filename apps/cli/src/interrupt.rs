@@ -22,7 +22,7 @@ pub fn install() {
         let _writing = WRITING
             .lock()
             .unwrap_or_else(|poisoned| poisoned.into_inner());
-        crate::results::set_aside();
+        crate::earlier::set_aside();
         std::process::exit(Exit::Interrupted.code());
     });
 }

@@ -2,6 +2,7 @@
 
 mod arguments;
 mod commands;
+mod earlier;
 mod exit;
 mod failure;
 mod interrupt;
@@ -10,7 +11,6 @@ mod output;
 mod plan_text;
 mod progress;
 mod results;
-mod schemas;
 mod trials;
 
 use arguments::{Arguments, Command};

@@ -137,7 +137,7 @@ pub fn report_panics(command: &'static str, json: bool) {
                 "this is a defect of pairtrawl, not of your input; please report it with the scene",
             )
             .in_command(command);
-        crate::results::set_aside();
+        crate::earlier::set_aside();
         let _ = print(&Err(failure), json);
         std::process::exit(Exit::Internal.code());
     }));

@@ -1,4 +1,4 @@
-use crate::TOLERANCE;
+use crate::limits::TOLERANCE;
 use pairtrawl_model::{Claim, ClaimId, Overrides, PairTrajectory, Robot, SceneReference};
 use pairtrawl_reference::Reference;
 

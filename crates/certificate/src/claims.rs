@@ -15,7 +15,7 @@ mod speed;
 mod step;
 mod turn;
 
-use crate::TOLERANCE;
+use crate::limits::TOLERANCE;
 use crate::subject::Subject;
 use crate::tightest::Tightest;
 use pairtrawl_model::ClaimId;

@@ -31,6 +31,7 @@ mod claims;
 mod clearance;
 mod farthest;
 pub mod infeasibility;
+mod limits;
 mod map_runs;
 mod motion;
 mod obstacles;
@@ -41,14 +42,11 @@ mod tightest;
 
 pub use added::{judge_stated_time_law, net_length_claim, scene_claim};
 pub use clearance::Clearance;
-pub use subject::COORDINATE_LIMIT;
+pub use limits::{COORDINATE_LIMIT, TOLERANCE};
 
 use pairtrawl_model::{Certificate, PairTrajectory, Scene};
 use pairtrawl_reference::Reference;
 use subject::Subject;
-
-/// Bounds hold to this much unless the file format says otherwise, in the claim's own unit.
-pub const TOLERANCE: f64 = 1e-9;
 
 /// Judges two trajectories against a scene with a net of this length (d_max, m): with poses linear between waypoints, and on
 /// the smooth curve as well when the pair drives along a reference of these trajectories.

@@ -1,5 +1,5 @@
+use crate::limits::COORDINATE_LIMIT;
 use crate::map_runs::{MapPart, MapRuns};
-use crate::subject::COORDINATE_LIMIT;
 use pairtrawl_geometry::{Bounds, Convex, Gap, Hull, Point, Polygon, Segment};
 use pairtrawl_model::{Obstacle, Scene};
 use std::fmt;

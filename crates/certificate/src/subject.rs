@@ -1,12 +1,10 @@
+use crate::limits::COORDINATE_LIMIT;
 use crate::motion::{Reading, Stretch};
 use crate::obstacles::Obstacles;
 use crate::tightest::Tightest;
 use pairtrawl_geometry::Pose;
 use pairtrawl_model::{PairTrajectory, Scene, Side};
 use pairtrawl_reference::Reference;
-
-/// Coordinates beyond this are refused, m: above it a double no longer resolves the tolerance of 1e-9 m.
-pub const COORDINATE_LIMIT: f64 = 1e6;
 
 /// What is judged: at least two waypoints per robot, equally many, all finite and within bounds.
 pub(crate) struct Subject<'a> {

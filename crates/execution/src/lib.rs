@@ -20,6 +20,7 @@ mod rehearsal;
 mod sample;
 mod sensing;
 mod statistics;
+mod task;
 mod trial;
 mod trials;
 
@@ -35,4 +36,5 @@ pub use rehearsal::rehearse;
 pub use sample::evenly_sampled;
 pub use sensing::{Normal, Sensing, Sensors, TORQUE_PERIOD, TRACKER_TICKS};
 pub use statistics::{mixed_seed, quantile};
-pub use trials::{Host, Task, drive_trials};
+pub use task::{Host, Task};
+pub use trials::drive_trials;

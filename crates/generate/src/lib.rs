@@ -19,6 +19,7 @@
 
 mod band;
 mod course;
+mod kind;
 mod level;
 mod objects;
 mod obstacles;
@@ -29,6 +30,7 @@ mod serpentine;
 mod shape;
 mod witness_file;
 
+pub use kind::Kind;
 pub use scene_file::{SceneTomlError, scene_toml};
 pub use witness_file::witness_json;
 
@@ -40,15 +42,6 @@ use pairtrawl_model::{
     default_step_time,
 };
 use random::Random;
-
-/// What the generated course looks like.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Kind {
-    /// Free bends through scattered obstacles.
-    Witness,
-    /// A hall of parallel lanes between walls, joined by U-turns; hundreds of objects when long.
-    Serpentine,
-}
 
 /// A scene and its known solution.
 #[derive(Clone, Debug, PartialEq)]
@@ -165,16 +158,6 @@ pub fn generate(
         witness,
         net_length,
     })
-}
-
-impl Kind {
-    /// The name in scene names and on the command line.
-    pub fn name(self) -> &'static str {
-        match self {
-            Self::Witness => "witness",
-            Self::Serpentine => "serpentine",
-        }
-    }
 }
 
 /// A rectangle around the course with room to go around what stands beside it.

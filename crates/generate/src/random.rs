@@ -1,4 +1,4 @@
-use crate::Kind;
+use crate::kind::Kind;
 use rand_chacha::ChaCha8Rng;
 use rand_chacha::rand_core::{Rng, SeedableRng};
 

@@ -148,6 +148,13 @@ impl Hull {
     }
 }
 
+impl Segment {
+    /// Signed distance to a polygon; see [`Hull::gap_to_polygon`].
+    pub fn gap_to_polygon(&self, polygon: &Polygon) -> Gap {
+        Hull::of(&[self.a, self.b]).gap_to_polygon(polygon)
+    }
+}
+
 /// The lower chain of points sorted by x, without collinear ones.
 fn chain(points: impl Iterator<Item = Point>) -> Vec<Point> {
     let mut out: Vec<Point> = Vec::with_capacity(4);

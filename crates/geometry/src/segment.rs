@@ -1,4 +1,4 @@
-use crate::{Gap, Hull, Point, Polygon, segments_intersect};
+use crate::{Gap, Point, segments_intersect};
 
 /// A closed straight segment; its ends may coincide.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -94,10 +94,5 @@ impl Segment {
             distance: place.distance(center) - radius,
             place,
         }
-    }
-
-    /// Signed distance to a polygon; see [`Hull::gap_to_polygon`].
-    pub fn gap_to_polygon(&self, polygon: &Polygon) -> Gap {
-        Hull::of(&[self.a, self.b]).gap_to_polygon(polygon)
     }
 }

@@ -100,3 +100,19 @@ impl Scales {
         back
     }
 }
+
+/// Gravity that the unit of time of a machine is made for, m/s^2.
+const EARTH_GRAVITY: f64 = 9.81;
+
+impl Units {
+    /// Units in which a machine looks like the paper's: lengths in units of the length scale, times such that gravity is
+    /// what it is on Earth, masses in proportion to the volume. SI units for the default machine.
+    pub fn of_machine(scene: &Scene) -> Self {
+        let length = Scales::of(scene).length;
+        Self {
+            length,
+            time: (length * EARTH_GRAVITY / scene.physics.gravity).sqrt(),
+            mass: length * length * length,
+        }
+    }
+}

@@ -1,11 +1,8 @@
 use crate::{
     Area, Footprint, NetSpec, Object, Obstacle, OccupancyMap, PairPose, PhysicsParameters,
-    PlannerParameters, Robot, Scales, Scene,
+    PlannerParameters, Robot, Scene,
 };
 use pairtrawl_geometry::{Point, Pose};
-
-/// Gravity that the unit of time of a machine is made for, m/s^2.
-const EARTH_GRAVITY: f64 = 9.81;
 
 /// Units in which a scene can be expressed instead of SI. Equations of motion and costs hold in any of them.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -25,17 +22,6 @@ impl Units {
         time: 1.0,
         mass: 1.0,
     };
-
-    /// Units in which a machine looks like the paper's: lengths in units of the length scale, times such that gravity is
-    /// what it is on Earth, masses in proportion to the volume. SI units for the default machine.
-    pub fn of_machine(scene: &Scene) -> Self {
-        let length = Scales::of(scene).length;
-        Self {
-            length,
-            time: (length * EARTH_GRAVITY / scene.physics.gravity).sqrt(),
-            mass: length * length * length,
-        }
-    }
 
     /// Decimal numbers stay decimal: rounded to 14 digits, a scene that is written in decimals has the same bits at every
     /// scale, so that no choice of the planner and no bounce in the physics depends on how a division was rounded.

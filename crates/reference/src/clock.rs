@@ -66,7 +66,7 @@ impl Clock {
         from + (to - from) * part
     }
 
-    /// The progress at a time, s; before the start and after the end the pair stands.
+    /// The progress at a time, s; before the start and after the end the pair stands, at NaN as before the start.
     pub fn at(&self, time: f64) -> Progress {
         let last = self.times.len() - 1;
         let standing = |steps| Progress {
@@ -74,7 +74,7 @@ impl Clock {
             pace: 0.0,
             pace_rate: 0.0,
         };
-        if time <= 0.0 {
+        if time.is_nan() || time <= 0.0 {
             return standing(0.0);
         }
         if time >= self.times[last] {
@@ -89,5 +89,20 @@ impl Clock {
             pace: self.paces[k] + rate * elapsed,
             pace_rate: rate,
         }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_time_that_is_not_a_number_is_before_the_start() {
+        let limit = PaceLimit {
+            square: 1.0,
+            slope: 1.0,
+        };
+        let progress = Clock::new(&[limit; 4]).at(f64::NAN);
+        assert_eq!((progress.steps, progress.pace), (0.0, 0.0));
     }
 }

@@ -48,6 +48,7 @@ mod shortfalls;
 mod sight;
 mod state;
 mod step;
+mod step_bound;
 mod system;
 mod term;
 mod tier;

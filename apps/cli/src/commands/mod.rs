@@ -15,18 +15,17 @@ mod rehearse;
 mod run;
 mod schemas;
 
-pub use check::{CheckReport, check};
-pub use completions::{CompletionsReport, completions};
+pub use check::check;
+pub use completions::completions;
 pub use demo::demo;
 pub use export::export;
-pub use generate::{GenerateReport, generate};
-pub use length::{LengthReport, length};
-pub use monte_carlo::{MonteCarloReport, monte_carlo};
+pub use generate::generate;
+pub use length::length;
+pub use monte_carlo::monte_carlo;
 pub use new::new;
 pub use plan::plan;
-pub use planning::PlanReport;
-pub use rehearse::{RehearseReport, rehearse};
-pub use run::{RunReport, run};
+pub use rehearse::rehearse;
+pub use run::run;
 pub use schemas::schemas;
 
 use crate::failure::Failure;

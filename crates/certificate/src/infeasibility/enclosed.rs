@@ -1,8 +1,8 @@
 use super::free_space::{FreeSpace, Reached, Run, runs};
 use super::joined::joined;
 use super::narrowest::narrowest;
+use super::proof::{CAUTION, Proof, ProofKind};
 use super::things::Things;
-use super::{CAUTION, Proof, ProofKind};
 use pairtrawl_geometry::{Bounds, Convex, Hull, Point, Polygon, Segment};
 use pairtrawl_model::Scene;
 use pairtrawl_model::numbers::{enough_length, length, place};

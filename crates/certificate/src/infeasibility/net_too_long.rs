@@ -1,4 +1,4 @@
-use super::{CAUTION, Proof, ProofKind};
+use super::proof::{CAUTION, Proof, ProofKind};
 use pairtrawl_model::Scene;
 use pairtrawl_model::numbers::{length, most_length};
 

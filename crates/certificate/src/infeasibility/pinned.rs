@@ -1,5 +1,5 @@
+use super::proof::{CAUTION, Proof, ProofKind};
 use super::things::{Thing, Things};
-use super::{CAUTION, Proof, ProofKind};
 use pairtrawl_geometry::{Point, Segment};
 use pairtrawl_model::numbers::{enough_length, length, place};
 use pairtrawl_model::{PairPose, Scene};

@@ -1,7 +1,7 @@
 use super::free_space::Run;
 use super::narrowest::narrowest;
+use super::proof::{Proof, ProofKind};
 use super::things::Things;
-use super::{Proof, ProofKind};
 
 /// Words for a robot whose start and end no chain of cells joins.
 pub(super) fn proof(things: &Things<'_>, run: Run) -> Proof {

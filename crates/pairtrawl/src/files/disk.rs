@@ -4,7 +4,7 @@ use super::{
     FileError, LoadedScene, PlanFile, Problem, csv_text, execution_json, parse_plan, plan_json,
     scene, tum_text, write_atomically,
 };
-use crate::execute::ExecutionOptions;
+use pairtrawl_execution::ExecutionOptions;
 use pairtrawl_model::{Execution, Plan, SceneReference, Side};
 use pairtrawl_reference::Reference;
 use std::fs::File;

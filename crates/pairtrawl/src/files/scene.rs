@@ -8,12 +8,11 @@ mod shapes;
 
 use super::toml_reader::{Document, Table};
 use super::{FileError, Problem, sha256_hex};
+use area::ReadFile;
+use content::FORMAT;
 use pairtrawl_model::{PairPose, Scene, SceneReference, Warning};
 use std::path::Path;
 use toml::de::DeTable;
-
-/// The first field of every scene.
-const FORMAT: &str = "pairtrawl-scene/1";
 
 /// A scene as read from a file.
 #[derive(Clone, Debug, PartialEq)]
@@ -48,9 +47,6 @@ pub fn parse_scene_with(
         files(file).ok_or_else(|| FileError::new(file, Problem::Missing))
     })
 }
-
-/// Reads a file whose size in bytes is bounded by the second argument.
-type ReadFile<'a> = &'a dyn Fn(&Path, u64) -> Result<Vec<u8>, FileError>;
 
 pub(super) fn parse(
     path: &Path,

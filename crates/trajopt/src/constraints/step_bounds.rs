@@ -3,33 +3,9 @@ use crate::problem::Problem;
 use crate::rule::Rule;
 use crate::sight::Sight;
 use crate::step::Coordinate;
-use crate::term::{Jet, STEP, Term};
+use crate::step_bound::StepBound;
+use crate::term::{STEP, Term};
 use pairtrawl_model::Side;
-
-/// A bound on one coordinate of a step: `offset + sign z >= 0` (the paper's eq. 11).
-#[derive(Clone, Copy, Debug)]
-pub struct StepBound {
-    /// 1 or -1.
-    pub sign: f64,
-    /// m or rad.
-    pub offset: f64,
-}
-
-impl Term<STEP> for StepBound {
-    #[inline]
-    fn value(&self, &[z]: &[f64; STEP]) -> f64 {
-        self.offset + self.sign * z
-    }
-
-    #[inline]
-    fn slope(&self, z: &[f64; STEP]) -> (f64, [f64; STEP]) {
-        (self.value(z), [self.sign])
-    }
-
-    fn jet(&self, z: &[f64; STEP]) -> Jet<STEP> {
-        Jet::linear(self.value(z), [self.sign])
-    }
-}
 
 /// Kept within the claims, so that rounding does not break them.
 const ROUNDING: f64 = 1e-7;

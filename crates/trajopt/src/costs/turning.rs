@@ -1,9 +1,9 @@
 use crate::anchor::StepAt;
-use crate::constraints::step_bounds::StepBound;
 use crate::problem::Problem;
 use crate::rule::Rule;
 use crate::sight::Sight;
 use crate::step::Coordinate;
+use crate::step_bound::StepBound;
 use crate::term::{Jet, STEP, Term};
 use pairtrawl_model::PlannerParameters;
 

@@ -1,6 +1,5 @@
 //! `[area]`: a rectangle or a ROS map.
 
-use super::ReadFile;
 use crate::files::toml_reader::{FARTHEST, Range, Table, Value};
 use crate::files::{FileError, Problem};
 use pairtrawl_geometry::Point;
@@ -15,6 +14,9 @@ const DEFAULT_RESOLUTION: f64 = 0.05;
 const MAP_YAML_BYTES: u64 = 64 << 10;
 /// Bytes of a map's image.
 const MAP_IMAGE_BYTES: u64 = 256 << 20;
+
+/// Reads a file whose size in bytes is bounded by the second argument.
+pub(super) type ReadFile<'a> = &'a dyn Fn(&Path, u64) -> Result<Vec<u8>, FileError>;
 
 /// What `[area]` says.
 pub(super) struct ReadArea {

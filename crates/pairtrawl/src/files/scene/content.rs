@@ -1,13 +1,15 @@
 //! What a scene file says, as serializable types: its JSON schema, and the canonical form whose hash stays the same when
 //! only comments, order or layout of the file change.
 
-use super::FORMAT;
 use crate::files::sha256_hex;
 use pairtrawl_geometry::Point;
 use pairtrawl_model::{
     Footprint, Obstacle, OccupancyMap, PairPose, PhysicsParameters, PlannerParameters, Robot, Scene,
 };
 use serde::Serialize;
+
+/// The first field of every scene.
+pub(super) const FORMAT: &str = "pairtrawl-scene/1";
 
 /// Hexadecimal SHA-256 of the scene's canonical form: its file as compact JSON in the order of the types below, every
 /// default written out, then each cell of its map as one byte, 1 where it is blocked.
