@@ -1,4 +1,4 @@
-use crate::Point;
+use crate::{Bounds, Point};
 
 /// A convex region: a piece of an obstacle.
 #[derive(Clone, Debug, PartialEq)]
@@ -12,4 +12,14 @@ pub enum Convex {
         /// Its radius, m.
         radius: f64,
     },
+}
+
+impl Convex {
+    /// The bounding box.
+    pub fn bounds(&self) -> Bounds {
+        match self {
+            Self::Polygon(vertices) => Bounds::of(vertices),
+            Self::Circle { center, radius } => Bounds::of_disc(*center, *radius),
+        }
+    }
 }

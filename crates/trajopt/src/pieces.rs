@@ -1,4 +1,4 @@
-use pairtrawl_geometry::{Convex, Point};
+use pairtrawl_geometry::{Bounds, Convex, Point};
 use pairtrawl_model::Area;
 
 /// A convex region with what its distances need: a polygon (no radius) or a disc (one vertex).
@@ -17,7 +17,10 @@ pub struct Piece {
 impl Piece {
     /// From a convex region.
     pub fn new(region: &Convex) -> Self {
-        let (low, high) = bounds(region);
+        let Bounds {
+            min: low,
+            max: high,
+        } = region.bounds();
         match region {
             Convex::Circle { center, radius } => Self {
                 vertices: vec![*center],
@@ -65,27 +68,6 @@ pub(crate) struct PieceIndex {
     pub reach: f64,
 }
 
-fn bounds(piece: &Convex) -> (Point, Point) {
-    match piece {
-        Convex::Circle { center, radius } => {
-            let r = Point::new(*radius, *radius);
-            (*center - r, *center + r)
-        }
-        Convex::Polygon(vertices) => vertices.iter().fold(
-            (
-                Point::new(f64::INFINITY, f64::INFINITY),
-                Point::new(f64::NEG_INFINITY, f64::NEG_INFINITY),
-            ),
-            |(lo, hi), v| {
-                (
-                    Point::new(lo.x.min(v.x), lo.y.min(v.y)),
-                    Point::new(hi.x.max(v.x), hi.y.max(v.y)),
-                )
-            },
-        ),
-    }
-}
-
 impl PieceIndex {
     pub(crate) fn new(pieces: &[Convex], area: &Area, reach: f64) -> Self {
         let size = area.max - area.min;
@@ -103,7 +85,7 @@ impl PieceIndex {
             reach,
         };
         for (id, piece) in pieces.iter().enumerate() {
-            let (lo, hi) = bounds(piece);
+            let Bounds { min: lo, max: hi } = piece.bounds();
             let reach = Point::new(reach, reach);
             let ((c0, r0), (c1, r1)) = (index.bucket(lo - reach), index.bucket(hi + reach));
             for row in r0..=r1 {

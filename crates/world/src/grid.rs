@@ -1,7 +1,7 @@
 use crate::error::WorldError;
 use crate::pieces::footprint_outline;
-use crate::shape::{bounds, moved, overlaps_unit_square};
-use pairtrawl_geometry::{Convex, Point, Pose};
+use crate::shape::{moved, overlaps_unit_square};
+use pairtrawl_geometry::{Bounds, Convex, Point, Pose};
 use pairtrawl_model::{Area, OccupancyMap, Scene};
 
 /// The greatest number of cells of an occupancy grid: 4096 x 4096.
@@ -186,7 +186,7 @@ impl OccupancyGrid {
 
     fn for_each_overlapped(&mut self, piece: &Convex, mut act: impl FnMut(&mut [Cell], usize)) {
         let piece = moved(piece, 1.0 / self.resolution, |p| self.to_cells(p));
-        let (lo, hi) = bounds(&piece);
+        let Bounds { min: lo, max: hi } = piece.bounds();
         let clip = |x: f64, n: usize| x.clamp(0.0, n as f64) as usize;
         for row in clip(lo.y.floor(), self.rows)..clip(hi.y.ceil(), self.rows) {
             for column in clip(lo.x.floor(), self.columns)..clip(hi.x.ceil(), self.columns) {

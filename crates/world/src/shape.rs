@@ -1,6 +1,6 @@
 //! Distances of convex pieces, exact up to rounding.
 
-use pairtrawl_geometry::{Convex, Point};
+use pairtrawl_geometry::{Bounds, Convex, Point};
 
 /// Signed distance of a point from a convex piece, m: negative inside, where it is minus the distance to the boundary.
 pub fn signed_distance(piece: &Convex, p: Point) -> f64 {
@@ -37,28 +37,6 @@ fn segment_distance_squared(a: Point, b: Point, p: Point) -> f64 {
     (p - a - d * t).norm_squared()
 }
 
-/// Lower left and upper right corner of the piece's bounding box.
-pub fn bounds(piece: &Convex) -> (Point, Point) {
-    match piece {
-        Convex::Circle { center, radius } => {
-            let r = Point::new(*radius, *radius);
-            (*center - r, *center + r)
-        }
-        Convex::Polygon(vertices) => vertices.iter().fold(
-            (
-                Point::new(f64::INFINITY, f64::INFINITY),
-                Point::new(f64::NEG_INFINITY, f64::NEG_INFINITY),
-            ),
-            |(lo, hi), v| {
-                (
-                    Point::new(lo.x.min(v.x), lo.y.min(v.y)),
-                    Point::new(hi.x.max(v.x), hi.y.max(v.y)),
-                )
-            },
-        ),
-    }
-}
-
 /// The piece with each point moved by `f`, which must be a rigid motion and a scaling by `scale`.
 pub fn moved(piece: &Convex, scale: f64, f: impl Fn(Point) -> Point) -> Convex {
     match piece {
@@ -82,7 +60,7 @@ pub fn overlaps_unit_square(piece: &Convex, low: Point, slack: f64) -> bool {
         }
         Convex::Polygon(vertices) => {
             // Separating axes: those of the square (its bounding box), then the normal of each edge.
-            let (lo, hi) = bounds(piece);
+            let Bounds { min: lo, max: hi } = piece.bounds();
             if lo.x > low.x + 1.0 - slack
                 || hi.x < low.x + slack
                 || lo.y > low.y + 1.0 - slack
