@@ -109,11 +109,11 @@ impl Problem {
             reserve: Reserve {
                 clearance: scene.planner.clearance,
                 net_clearance: scene.planner.clearance,
-                sag: 1.25 * scene.planner.max_step * scene.planner.max_step / (8.0 * robot.radius),
+                sag: 1.4 * scene.planner.max_step * scene.planner.max_step / (8.0 * robot.radius),
                 separation: 1e-3,
                 greatest_separation: 1e-6,
                 net_reach: 5e-4,
-                skew: 1.2e-2,
+                skew: 1.6e-2,
             },
             separation: SeparationRule::UShape,
             frozen: None,

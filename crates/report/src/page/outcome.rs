@@ -82,7 +82,12 @@ pub(super) fn failures(w: &mut Writer, summary: &Summary) {
     }
     for c in summary.claims.iter().filter(|c| !c.claim.holds) {
         let margin = numbers::quantity(-c.claim.margin, c.unit);
-        let words = format!("The claim {} of the plan fails by {margin}.", c.claim.id);
+        let id = c.claim.id;
+        let words = if c.claim.margin.is_finite() {
+            format!("The claim {id} of the plan fails by {margin}.")
+        } else {
+            format!("The claim {id} of the plan fails: {}.", c.claim.detail)
+        };
         w.text("li", &[], &words);
     }
     if summary.claims.is_empty() {

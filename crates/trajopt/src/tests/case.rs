@@ -89,7 +89,7 @@ impl Case {
                     self.made.scene.planner.max_step,
                     self.made.scene.robot.radius,
                 );
-                (1.25 * step * step / (8.0 * radius)).min(margin)
+                (1.4 * step * step / (8.0 * radius)).min(margin)
             }
         }
     }
