@@ -100,6 +100,13 @@ impl Details {
                     ..Self::at(Some(place))
                 },
             ),
+            ProofKind::ObjectTooWide { object, needed } => (
+                "object_too_wide",
+                Self {
+                    object: Some(object),
+                    ..Self::needing(needed)
+                },
+            ),
             ProofKind::ObjectEnclosed { object } => (
                 "object_enclosed",
                 Self {
@@ -265,7 +272,8 @@ impl From<PlanError> for Failure {
                 margin: missing.claim().map(|claim| claim.margin),
                 ..Details::at(missing.place())
             },
-            PlanError::Infeasible(proof) => Details::of_proof(&proof.kind),
+            PlanError::Infeasible(infeasible) => (infeasible.proofs.first())
+                .map_or_else(Details::default, |proof| Details::of_proof(&proof.kind)),
             PlanError::TimeLimit { limit, stage } => Details {
                 limit: Some(*limit),
                 stage: Some(stage.name().to_owned()),

@@ -1,7 +1,7 @@
 //! Objects that the machine-readable output of several commands shares.
 
 use crate::output::finite;
-use pairtrawl::model::{ClaimId, ClaimSummary, Cost, Rehearsal};
+use pairtrawl::model::{ClaimId, ClaimSummary, Cost, LeftOut, LeftWhy, Rehearsal};
 use schemars::JsonSchema;
 use serde::Serialize;
 
@@ -67,6 +67,28 @@ impl From<&ClaimSummary> for ClaimObject {
             time: summary.time,
             place: claim.place.map(<[f64; 2]>::from),
             detail: claim.detail.clone(),
+        }
+    }
+}
+
+/// An object that is left where it is.
+#[derive(Debug, Serialize, JsonSchema)]
+pub struct LeftOutObject {
+    /// Its index in the scene.
+    object: usize,
+    /// On what grounds: a proof, or a search that found no plan with it.
+    #[schemars(extend("enum" = LeftWhy::ALL.map(LeftWhy::name)))]
+    why: &'static str,
+    /// The reason in full, for people.
+    text: String,
+}
+
+impl From<&LeftOut> for LeftOutObject {
+    fn from(left: &LeftOut) -> Self {
+        Self {
+            object: left.object,
+            why: left.why.name(),
+            text: left.text.clone(),
         }
     }
 }

@@ -1,13 +1,15 @@
 //! A finished summary as text for the terminal.
 
-use pairtrawl::model::numbers::{cost, duration, length, place, quantity, residual};
-use pairtrawl::model::{ClaimSummary, Rehearsal, Summary};
+use pairtrawl::model::numbers::{cost, duration, index_list, length, place, quantity, residual};
+use pairtrawl::model::{ClaimSummary, LeftWhy, Rehearsal, Summary};
 use std::fmt::Write;
 
 /// How many of the tightest claims the terminal shows.
 const TIGHTEST: usize = 6;
 /// Below this margin, in its own unit, a claim counts as exhausted.
 const AT_LIMIT: f64 = 2e-4;
+/// Reasons for objects that are left are told for this many of them.
+const MOST_REASONS: usize = 6;
 
 /// The short summary that follows planning, what went wrong first.
 pub fn plan_text(summary: &Summary) -> String {
@@ -28,6 +30,7 @@ pub fn plan_text(summary: &Summary) -> String {
         ""
     };
     let j = &summary.cost;
+    text.push_str(&left_text(summary));
     let lines = [
         ("rehearsal", rehearsal_text(&summary.rehearsal)),
         ("net", format!("{}{chosen}", length(summary.net_length))),
@@ -81,6 +84,47 @@ pub fn plan_text(summary: &Summary) -> String {
             .map(|stage| format!("{} {}", stage.name, duration(stage.seconds)))
             .collect();
         let _ = writeln!(text, "  took       {}", stages.join(", "));
+    }
+    text
+}
+
+/// What is gathered and what is left, each object with its reason; nothing where everything is gathered.
+fn left_text(summary: &Summary) -> String {
+    let mut text = String::new();
+    let left = &summary.left_out;
+    if left.is_empty() {
+        return text;
+    }
+    let objects = summary.outline.objects.len();
+    let _ = writeln!(
+        text,
+        "  gathers    {} of {objects} objects, {} LEFT",
+        summary.gathers(),
+        left.len()
+    );
+    for why in LeftWhy::ALL {
+        let of_kind: Vec<usize> = (left.iter().filter(|l| l.why == why))
+            .map(|l| l.object)
+            .collect();
+        if !of_kind.is_empty() {
+            let _ = writeln!(
+                text,
+                "    {:<10} {}: {}",
+                "",
+                why.describe(),
+                index_list(&of_kind)
+            );
+        }
+    }
+    for left in left.iter().take(MOST_REASONS) {
+        let _ = writeln!(text, "    {}", left.text);
+    }
+    if left.len() > MOST_REASONS {
+        let _ = writeln!(
+            text,
+            "    and {} more, each with its reason in plan.json and report.html",
+            left.len() - MOST_REASONS
+        );
     }
     text
 }

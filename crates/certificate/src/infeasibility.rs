@@ -3,8 +3,9 @@
 //! A proof is given only where it is sound; a scene without one may still have no valid plan. The arguments are those of
 //! exact driving: the tolerances of the claims (a slip of 0.1 mm in a step, 1e-6 m backward) are rounding, not a way to drive.
 //!
-//! 1. **The net is too short**: the hitches or axles at the start or end are farther apart than the net is long, or it is
-//!    shorter than two robot radii plus an object's footprint circle, over which it must pass with a robot on each side.
+//! 1. **The net is too short**: the hitches or axles at the start or end are farther apart than the net is long. **An object
+//!    is too wide** for a net that is shorter than two robot radii plus its footprint circle, over which it must pass with
+//!    a robot on each side.
 //! 2. **The net is too long**: robots keep a tenth of d_max apart at every instant, and at the start or end they do not.
 //! 3. **Every way is cut**: a robot's center stays in the area, at least a radius from every obstacle and every object's
 //!    footprint circle. Cells of a grid in which no point keeps that distance are surely blocked (the distance is
@@ -41,6 +42,7 @@ mod pinned;
 mod proof;
 mod things;
 mod too_few_waypoints;
+mod too_wide;
 mod way_cut;
 
 use crate::limits::COORDINATE_LIMIT;
@@ -56,29 +58,53 @@ pub use too_few_waypoints::too_few_waypoints;
 /// then stays unproven.
 const FINEST_VIEW: f64 = 0.03;
 
-/// Looks for a proof that no plan for this scene can be valid. `net_length` (m) is the length in force; `None` leaves it
-/// to the planner. Scenes that are malformed or start in collision have none: they are bad input.
-pub fn prove(scene: &Scene, net_length: Option<f64>) -> Option<Proof> {
-    let things = usable(scene, net_length).then(|| Things::new(scene))??;
+/// Looks for proofs that no plan for this scene can be valid: one that is not about an object, or none, then the objects
+/// that provably cannot be swept, ascending, one proof each; all of them, where none of the first kind ends the search. Objects that are left need none. `net_length` (m) is the
+/// length in force; `None` leaves it to the planner. Scenes that are malformed or start in collision have no proofs: they
+/// are bad input.
+pub fn prove(scene: &Scene, net_length: Option<f64>) -> Vec<Proof> {
+    if !usable(scene, net_length) {
+        return Vec::new();
+    }
+    let Some(things) = Things::new(scene) else {
+        return Vec::new();
+    };
     let net =
         |length| net_too_short::prove(scene, length).or_else(|| net_too_long::prove(scene, length));
     if let Some(proof) = net_length.and_then(net) {
-        return Some(proof);
+        return vec![proof];
     }
-    if let Some(proof) = pinned::prove(&things) {
-        return Some(proof);
+    let mut about = vec![None; scene.objects.len()];
+    let too_wide = net_length.map_or_else(Vec::new, |length| too_wide::prove(scene, length));
+    for proof in too_wide.into_iter().chain(pinned::prove(&things)) {
+        if let Some(object) = proof.object() {
+            about[object].get_or_insert(proof);
+        }
     }
-    let mut space = FreeSpace::new(&things);
-    let mut open: Vec<usize> = (0..scene.objects.len()).collect();
+    let way = ways(&things, net_length, &mut about);
+    way.into_iter().chain(about.into_iter().flatten()).collect()
+}
+
+/// Looks on finer and finer grids for a robot whose way is cut and for objects that are enclosed, among those without a
+/// proof.
+fn ways(
+    things: &Things<'_>,
+    net_length: Option<f64>,
+    about: &mut [Option<Proof>],
+) -> Option<Proof> {
+    let scene = things.scene;
+    let mut space = FreeSpace::new(things);
+    let wanted = |&i: &usize| !scene.objects[i].leave && about[i].is_none();
+    let mut open: Vec<usize> = (0..scene.objects.len()).filter(wanted).collect();
     loop {
         let reached = space.reach(scene)?;
         if let Some(robot) = reached.robot_without_way(&space, scene) {
-            return Some(way_cut::proof(&things, robot));
+            return Some(way_cut::proof(things, robot));
         }
         let mut undecided = Vec::new();
         for object in open {
-            match enclosed::judge(&things, &space, &reached, object, net_length) {
-                Verdict::Enclosed(proof) => return Some(proof),
+            match enclosed::judge(things, &space, &reached, object, net_length) {
+                Verdict::Enclosed(proof) => about[object] = Some(proof),
                 Verdict::Reachable => {}
                 Verdict::Open => undecided.push(object),
             }
@@ -91,7 +117,7 @@ pub fn prove(scene: &Scene, net_length: Option<f64>) -> Option<Proof> {
         if open.is_empty() && reached.has_sure_way(&space, scene) {
             return None;
         }
-        space = space.refined(&things)?;
+        space = space.refined(things)?;
     }
 }
 

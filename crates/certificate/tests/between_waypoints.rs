@@ -108,6 +108,7 @@ fn an_arc_that_bulges_towards_an_obstacle_an_object_or_the_border_is_seen() {
         position: center,
         footprint,
         mass: 0.1,
+        leave: false,
     }];
     assert_caught(&touched, ClaimId::RobotsMissObjects, ARC);
 
@@ -177,6 +178,7 @@ fn an_object_beside_the_curve_is_not_passed_over() {
             position: Point::new(1.0 + 0.5 * STEP, 2.4 - depth),
             footprint: Footprint::Disc(0.01),
             mass: 0.1,
+            leave: false,
         }]
     };
     case.scene.objects = object(ROOM);

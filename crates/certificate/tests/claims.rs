@@ -211,6 +211,7 @@ fn a_path_between_waypoints_counts_and_not_its_waypoints() {
         position: Point::new(2.0, 1.9),
         footprint: Footprint::Disc(0.1),
         mass: 0.1,
+        leave: false,
     });
     assert!((claim(&case, "robot_clearance").margin - (0.2 - 0.24)).abs() < 1e-12);
     assert!((claim(&case, "robots_miss_objects").margin - (0.3 - 0.1 - 0.24)).abs() < 1e-12);

@@ -96,6 +96,7 @@ fn files_claims_compare_hash_and_length() {
     assert!(!scene_claim(&reference("ab12", None), &reference("ab13", None)).holds);
     let asked = |length| Overrides {
         net_length: Some(length),
+        ..Overrides::default()
     };
     let as_is = Overrides::default();
     assert!(net_length_claim(1.5, Some(1.5), &as_is).holds);

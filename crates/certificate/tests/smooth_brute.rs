@@ -53,6 +53,7 @@ fn drive(random: &mut Random) -> Case {
             position,
             footprint: pairtrawl_model::Footprint::Disc(0.03),
             mass: 0.02,
+            leave: false,
         });
     }
     case

@@ -119,6 +119,7 @@ fn scene(value: &Value, trajectory: &PairTrajectory) -> Result<Scene, Box<dyn Er
                 position,
                 footprint,
                 mass: o["mass"].as_f64().unwrap_or(0.025),
+                leave: false,
             })
         })
         .collect::<Result<_, Box<dyn Error>>>()?;

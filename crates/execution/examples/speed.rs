@@ -27,6 +27,7 @@ fn main() -> Result<(), Box<dyn Error>> {
         position: Point::new(0.06 * ((i * 5) % 7) as f64 - 0.18, 0.3 + 0.25 * i as f64),
         footprint: Footprint::Box(0.05, 0.05),
         mass: 0.025,
+        leave: false,
     };
     let scene = Scene {
         name: "speed".to_owned(),

@@ -103,6 +103,7 @@ pub(crate) fn run(task: &Task, host: &Host, index: usize) -> Result<Option<Trial
         seed,
         conditions,
         gathered: record.gathered,
+        left: record.left,
         events,
         tracking: collector.tracking(),
         cost,

@@ -48,6 +48,7 @@ fn draw(random: &mut Random, level: &Level, band: &Band<'_>, robot: &Robot) -> O
         position: Point::ZERO,
         footprint,
         mass,
+        leave: false,
     };
     let miss = robot.radius + object.footprint_radius();
     let share = if random.chance(level.tight_objects) {

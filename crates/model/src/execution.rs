@@ -1,3 +1,4 @@
+use crate::rehearsal::gathered_count;
 use crate::{Certificate, Cost, PairPose, RehearsalEventKind, RehearsalFrame, Side, Warning};
 use pairtrawl_geometry::Point;
 
@@ -68,6 +69,8 @@ pub struct Trial {
     pub conditions: TrialConditions,
     /// Per object: true when at the end its center lies inside the region bounded by the net and the hitch line.
     pub gathered: Vec<bool>,
+    /// Objects that were to be left where they are: it does not matter whether they are in the net.
+    pub left: Vec<usize>,
     /// What must not happen and did, in order of time.
     pub events: Vec<ExecutionEvent>,
     /// Position error of the (left, right) robot against the reference.
@@ -91,7 +94,7 @@ pub struct Trial {
 impl Trial {
     /// True when the pair came to the end of its way with every object inside the net.
     pub fn gathered_everything(&self) -> bool {
-        !self.was_stopped() && self.gathered.iter().all(|g| *g)
+        !self.was_stopped() && self.gathered_count() == self.wanted()
     }
 
     /// True when the supervisor stopped the pair on its way.
@@ -101,9 +104,14 @@ impl Trial {
             .any(|e| matches!(e.kind, ExecutionEventKind::PairStopped { .. }))
     }
 
-    /// How many objects are inside the net at the end.
+    /// How many of the objects that were to be gathered are inside the net at the end.
     pub fn gathered_count(&self) -> usize {
-        self.gathered.iter().filter(|g| **g).count()
+        gathered_count(&self.gathered, &self.left)
+    }
+
+    /// How many objects were to be gathered.
+    pub fn wanted(&self) -> usize {
+        self.gathered.len() - self.left.len()
     }
 }
 

@@ -7,6 +7,7 @@ mod certificate;
 mod claim_id;
 mod cost;
 mod execution;
+mod left_out;
 pub mod numbers;
 mod parameters;
 mod physics;
@@ -28,6 +29,7 @@ pub use execution::{
     ControlSample, ControllerKind, DragStatistics, Execution, ExecutionEvent, ExecutionEventKind,
     TrackingStatistics, Trial, TrialConditions,
 };
+pub use left_out::{Leave, LeftOut, LeftWhy};
 pub use parameters::PlannerParameters;
 pub use physics::PhysicsParameters;
 pub use plan::{Circle, Overrides, Plan, Rehearsal, SceneReference, SolverReport, SolverStatus};

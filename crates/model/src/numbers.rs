@@ -113,6 +113,24 @@ pub fn quantity(value: f64, unit: &str) -> String {
     }
 }
 
+/// Ascending indices with runs of three or more as ranges: `0, 2, 5-9`.
+pub fn index_list(indices: &[usize]) -> String {
+    let mut parts: Vec<String> = Vec::new();
+    let mut rest = indices;
+    while let [first, ..] = rest {
+        let run = (rest.iter().zip(*first..))
+            .take_while(|(index, expected)| *index == expected)
+            .count();
+        let (run, after) = rest.split_at(run);
+        match run {
+            [first, _, .., last] => parts.push(format!("{first}-{last}")),
+            few => parts.extend(few.iter().map(usize::to_string)),
+        }
+        rest = after;
+    }
+    parts.join(", ")
+}
+
 /// A unit that several lengths share, in a table or along an axis.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct LengthUnit {

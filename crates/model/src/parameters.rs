@@ -1,3 +1,4 @@
+use crate::Leave;
 use std::f64::consts::FRAC_2_PI;
 
 /// The planner's parameters (`[planner]` of a scene). Defaults are the paper's where it gives one.
@@ -59,6 +60,9 @@ pub struct PlannerParameters {
     pub a3: f64,
     /// a4: weight of the expansion cost.
     pub a4: f64,
+    /// What is done with objects that cannot be gathered.
+    #[cfg_attr(feature = "serde", serde(skip_serializing_if = "Leave::is_none"))]
+    pub leave: Leave,
 }
 
 impl Default for PlannerParameters {
@@ -89,6 +93,7 @@ impl Default for PlannerParameters {
             a2: 1.0,
             a3: 1.0,
             a4: 1.0,
+            leave: Leave::None,
         }
     }
 }

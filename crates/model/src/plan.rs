@@ -1,4 +1,4 @@
-use crate::{Certificate, Cost, PairTrajectory, Warning};
+use crate::{Certificate, Cost, Leave, LeftOut, PairTrajectory, Warning};
 use pairtrawl_geometry::{Point, Pose};
 
 /// A planned run and how it came about.
@@ -23,6 +23,8 @@ pub struct Plan {
     pub circles: Vec<Circle>,
     /// Visiting order: indices into `circles`.
     pub order: Vec<usize>,
+    /// Objects that it leaves where they are, ascending; the certificate is about all others.
+    pub left_out: Vec<LeftOut>,
     /// The paper's J.
     pub cost: Cost,
     /// The proof.
@@ -78,6 +80,8 @@ pub struct SceneReference {
 pub struct Overrides {
     /// `Some(Some(L))`: `--net-length L`; `Some(None)`: `--net-length auto`; `None`: as in the scene.
     pub net_length: Option<Option<f64>>,
+    /// `--leave`; `None`: as in the scene.
+    pub leave: Option<Leave>,
 }
 
 /// A circle around one object or several close ones.

@@ -10,6 +10,8 @@ pub struct RehearsalRecord {
     pub events: Vec<RehearsalEvent>,
     /// Per object: true when at the end its center lies inside the region bounded by the net and the hitch line.
     pub gathered: Vec<bool>,
+    /// Objects that were to be left where they are: it does not matter whether they are in the net.
+    pub left: Vec<usize>,
     /// Greatest tension at the (left, right) hitch, mean over 20 ms, N.
     pub max_tension: [f64; 2],
     /// Greatest distance of the (left, right) robot from its place in the plan, m.
@@ -25,6 +27,16 @@ pub struct RehearsalRecord {
 }
 
 impl RehearsalRecord {
+    /// How many of the objects that were to be gathered are in the net at the end.
+    pub fn gathered_count(&self) -> usize {
+        gathered_count(&self.gathered, &self.left)
+    }
+
+    /// How many objects were to be gathered.
+    pub fn wanted(&self) -> usize {
+        self.gathered.len() - self.left.len()
+    }
+
     /// The events that count against it: an object that slipped out and was caught again is reported but does no harm.
     pub fn failures(&self) -> impl Iterator<Item = &RehearsalEvent> {
         self.events.iter().filter(|event| match event.kind {
@@ -34,6 +46,12 @@ impl RehearsalRecord {
             _ => true,
         })
     }
+}
+
+/// How many objects are gathered, those apart that were to be left.
+pub(crate) fn gathered_count(gathered: &[bool], left: &[usize]) -> usize {
+    let counted = gathered.iter().enumerate();
+    counted.filter(|(i, g)| **g && !left.contains(i)).count()
 }
 
 /// One instant of a rehearsal.

@@ -12,7 +12,7 @@ pub struct Scene {
     pub obstacles: Vec<Obstacle>,
     /// Obstacles given as a ROS map, when the scene has one; its outside counts as obstacle.
     pub map: Option<OccupancyMap>,
-    /// What is to be gathered.
+    /// What is to be gathered, but for those that are to be left.
     pub objects: Vec<Object>,
     /// Where the pair starts.
     pub start: PairPose,
@@ -111,6 +111,8 @@ pub struct Object {
     pub footprint: Footprint,
     /// Its mass, kg.
     pub mass: f64,
+    /// True when it is to lie where it is: robots miss it like the rest, and nothing demands that it is gathered.
+    pub leave: bool,
 }
 
 /// The outline of an object on the floor.

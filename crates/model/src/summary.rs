@@ -2,8 +2,8 @@
 //! already computed. Reports render it and compute nothing, so all of them show the same numbers.
 
 use crate::{
-    Area, Circle, Claim, Cost, Object, Obstacle, PairPose, PairTrajectory, Rehearsal, Robot,
-    SolverReport, TrackingStatistics, Warning,
+    Area, Circle, Claim, Cost, LeftOut, Object, Obstacle, PairPose, PairTrajectory, Rehearsal,
+    Robot, SolverReport, TrackingStatistics, Warning,
 };
 use pairtrawl_geometry::{Point, Pose};
 use std::fmt;
@@ -23,6 +23,8 @@ pub struct Summary {
     pub circles: Vec<Circle>,
     /// Visiting order: indices into `circles`.
     pub order: Vec<usize>,
+    /// Objects that are left where they are, and why, ascending.
+    pub left_out: Vec<LeftOut>,
     /// The pair's centerline.
     pub centerline: Vec<Pose>,
     /// The baseline pair; empty when there is none.
@@ -59,6 +61,13 @@ pub struct Summary {
     pub execution: Option<ExecutionSummary>,
 }
 
+impl Summary {
+    /// How many objects the plan gathers.
+    pub fn gathers(&self) -> usize {
+        self.outline.objects.len() - self.left_out.len()
+    }
+}
+
 /// The scene as it is drawn.
 #[derive(Clone, Debug, PartialEq)]
 pub struct SceneOutline {
@@ -69,7 +78,7 @@ pub struct SceneOutline {
     /// The boundary of a ROS map's free cells as closed rings (outer ones and holes, to be filled by the even-odd
     /// rule), m: within the area everything outside of it is obstacle. `None`: the scene has no map.
     pub free_rings: Option<Vec<Vec<Point>>>,
-    /// What is to be gathered, where it lies at the start.
+    /// What is to be gathered and what is left, where it lies at the start.
     pub objects: Vec<Object>,
     /// The robot.
     pub robot: Robot,

@@ -107,6 +107,7 @@ impl Units {
                 Footprint::Disc(radius) => Footprint::Disc(length(radius)),
             },
             mass: tidy(object.mass / mass),
+            leave: object.leave,
         };
         Scene {
             name: name.clone(),

@@ -45,11 +45,13 @@ fn scene() -> Scene {
                 position: Point::new(1.0, 2.0),
                 footprint: Footprint::Box(0.05, 0.07),
                 mass: 0.025,
+                leave: false,
             },
             Object {
                 position: Point::new(1.0, 3.0),
                 footprint: Footprint::Disc(0.03),
                 mass: 0.025,
+                leave: false,
             },
         ],
         start: pair(0.37),

@@ -118,6 +118,7 @@ fn main() -> Result<(), Box<dyn std::error::Error>> {
         trajectory: &trajectory,
         scene: Some(&loaded.reference),
         time_law: None,
+        left_out: &[],
         overrides: &Overrides::default(),
     };
     let certificate = check(scene, &loaded.reference, &candidate);

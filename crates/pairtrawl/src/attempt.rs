@@ -78,7 +78,7 @@ impl<'a> Course<'a> {
         run: &mut Run,
     ) -> Result<Attempt, PlanError> {
         let Prepared {
-            scene,
+            ref scene,
             ref scales,
             ref scaled,
             ref world,
@@ -154,7 +154,7 @@ impl<'a> Course<'a> {
             Origin::Before(trajectory, _) => return Ok(trajectory.clone()),
             Origin::Centerline(line, pair) => (line, pair),
         };
-        let given = self.prepared.options.waypoints_for(self.prepared.scene);
+        let given = self.prepared.options.waypoints_for(&self.prepared.scene);
         let first = match pair {
             Some(pair) => pair.clone(),
             None => self.baseline_along(line, given)?,
@@ -199,7 +199,7 @@ impl<'a> Course<'a> {
         let (net_length, trajectory) = (attempt.net_length, &attempt.trajectory);
         let options = pairtrawl_simulation::Options::default();
         let record = run.stage(Stage::Rehearse, || {
-            rehearse_trajectory(self.prepared.scene, net_length, trajectory, &options)
+            rehearse_trajectory(&self.prepared.scene, net_length, trajectory, &options)
         })?;
         Ok(record?)
     }
@@ -243,10 +243,11 @@ impl Attempt {
         record: Option<&RehearsalRecord>,
     ) -> Plan {
         let Prepared {
-            scene,
+            ref scene,
             options,
             ref scales,
             ref world,
+            ref left_out,
             ..
         } = *course.prepared;
         let rehearsal = record.map_or(Rehearsal::Skipped, |record| record.verdict.clone());
@@ -262,6 +263,7 @@ impl Attempt {
                 NetLength::Auto => None,
                 NetLength::Fixed(length) => Some(length),
             }),
+            leave: options.leave,
         };
         let candidate = Candidate {
             net_length: self.net_length,
@@ -269,6 +271,7 @@ impl Attempt {
             scene: Some(reference),
             overrides: &overrides,
             time_law: Some(&self.time_law),
+            left_out,
         };
         Plan {
             certificate: check(scene, reference, &candidate),
@@ -278,6 +281,7 @@ impl Attempt {
             overrides,
             circles: world.circles.iter().map(|c| scales.circle(c)).collect(),
             order: course.order.to_vec(),
+            left_out: left_out.clone(),
             centerline: self.centerline,
             baseline: self.baseline,
             time_law: self.time_law,

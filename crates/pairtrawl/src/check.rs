@@ -1,8 +1,9 @@
 use pairtrawl_certificate::{certify, judge_stated_time_law, net_length_claim, scene_claim};
 use pairtrawl_model::{
-    Certificate, Claim, ClaimId, Overrides, PairTrajectory, Scene, SceneReference,
+    Certificate, Claim, ClaimId, LeftOut, Overrides, PairTrajectory, Scene, SceneReference,
 };
 use pairtrawl_reference::Reference;
+use std::borrow::Cow;
 
 /// What a certificate is about: the part of a plan that `check` needs.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -18,6 +19,16 @@ pub struct Candidate<'a> {
     /// When the pair passes each waypoint, s, as the plan says. It is then judged on the smooth curve that it is driven along
     /// as well; `None`: it says nothing, as plans made elsewhere, and is judged with poses linear between waypoints.
     pub time_law: Option<&'a [f64]>,
+    /// The objects that it leaves where they are: nothing is claimed of them but that robots miss them.
+    pub left_out: &'a [LeftOut],
+}
+
+/// The scene with the objects marked that a plan leaves where they are.
+pub(crate) fn without_left<'a>(scene: &'a Scene, left_out: &[LeftOut]) -> Cow<'a, Scene> {
+    match left_out.is_empty() {
+        true => Cow::Borrowed(scene),
+        false => Cow::Owned(scene.leaving(left_out.iter().map(|left| left.object))),
+    }
 }
 
 /// Proves a plan from its scene and its two trajectories alone: every claim of the file format, `scene` and `net_length`
@@ -34,6 +45,7 @@ pub fn check(scene: &Scene, reference: &SceneReference, candidate: &Candidate) -
             detail: "the plan names no scene: it is judged against this one".to_owned(),
         },
     };
+    let scene = &*without_left(scene, candidate.left_out);
     let net = net_length_claim(candidate.net_length, scene.net.length, candidate.overrides);
     let mut claims = vec![whose, net];
     let driven = candidate.time_law.and_then(|stated| {

@@ -1,5 +1,5 @@
+use crate::infeasible::Infeasible;
 use crate::observer::Stage;
-use pairtrawl_certificate::infeasibility::Proof;
 use pairtrawl_execution::ExecutionError;
 use pairtrawl_geometry::Point;
 use pairtrawl_model::{Claim, SolverStatus, numbers};
@@ -14,9 +14,9 @@ pub enum PlanError {
     /// The scene or the options cannot be planned for, whatever the planner does.
     #[error(transparent)]
     BadInput(BadInput),
-    /// There is a proof that no plan exists.
+    /// There are proofs that no plan exists, or none that gathers everything.
     #[error("proven infeasible: {0}")]
-    Infeasible(Proof),
+    Infeasible(Infeasible),
     /// No certified plan was found within the budget. That is no proof that there is none.
     #[error("no certified plan found: {0}")]
     NoPlan(NoPlan),
@@ -91,7 +91,8 @@ impl PlanError {
         match self {
             Self::NoPlan(missing) => missing.remedy(),
             Self::TimeLimit { .. } => Some("give more time, or fewer waypoints".to_owned()),
-            Self::Infeasible(_) | Self::BadInput(_) | Self::Interrupted => None,
+            Self::Infeasible(infeasible) => infeasible.remedy(),
+            Self::BadInput(_) | Self::Interrupted => None,
         }
     }
 }

@@ -7,6 +7,7 @@ pub use pairtrawl_execution::*;
 pub use recording::write_recording;
 pub use recording::{WriteRecordingError, recording};
 
+use crate::check::without_left;
 use pairtrawl_model::{Certificate, Claim, Execution, PairTrajectory, Plan, Scene, Warning};
 use pairtrawl_reference::Reference;
 
@@ -27,6 +28,7 @@ pub fn execute(
     if !options.unproven && !claims.is_empty() {
         return Err(ExecutionError::Unproven { claims });
     }
+    let scene = &*without_left(scene, &plan.left_out);
     execute_trajectory(scene, plan.net_length, &plan.trajectory, options, observer)
 }
 

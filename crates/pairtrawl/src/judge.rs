@@ -13,6 +13,7 @@ pub fn judge(scene: &Scene, reference: &SceneReference, file: &PlanFile) -> Plan
         scene: file.scene.as_ref(),
         overrides: &file.overrides,
         time_law: file.time_law.as_deref(),
+        left_out: &file.left_out,
     };
     let (left, right) = file.baseline.clone().unwrap_or_default();
     Plan {
@@ -30,6 +31,7 @@ pub fn judge(scene: &Scene, reference: &SceneReference, file: &PlanFile) -> Plan
         },
         circles: file.circles.clone(),
         order: file.order.clone(),
+        left_out: file.left_out.clone(),
         rehearsal: file.rehearsal.clone(),
         solver: file.solver.clone(),
         warnings: Vec::new(),

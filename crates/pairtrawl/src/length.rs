@@ -3,6 +3,7 @@
 use crate::attempt::{Course, Origin};
 use crate::common_start::{CommonStart, study_options};
 use crate::error::PlanError;
+use crate::infeasible::Infeasible;
 use crate::observer::{Observer, Stage};
 use crate::options::{NetLength, PlanOptions};
 use crate::plan::certified;
@@ -120,9 +121,13 @@ fn point(
     if !may_go_on() {
         return None;
     }
-    let scene = common.scene;
-    if let Some(proof) = infeasibility::prove(scene, length) {
-        return Some(Err(LengthRefusal::Proven(proof.message)));
+    let scene = &*common.scene;
+    let infeasible = Infeasible {
+        proofs: infeasibility::prove(scene, length),
+        wanted: scene.wanted(),
+    };
+    if !infeasible.proofs.is_empty() {
+        return Some(Err(LengthRefusal::Proven(infeasible.to_string())));
     }
     let options = PlanOptions {
         net_length: Some(length.map_or(NetLength::Auto, NetLength::Fixed)),

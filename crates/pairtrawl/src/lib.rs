@@ -62,6 +62,7 @@ mod error;
 pub mod execute;
 mod explore;
 pub mod files;
+mod infeasible;
 mod judge;
 mod length;
 mod observer;
@@ -79,6 +80,7 @@ mod tighten;
 
 pub use check::{Candidate, check};
 pub use error::{BadInput, NoPlan, PlanError};
+pub use infeasible::Infeasible;
 pub use judge::judge;
 pub use length::{LengthRange, length_curve};
 pub use observer::{Observer, Stage};

@@ -1,4 +1,4 @@
-use pairtrawl_model::Scene;
+use pairtrawl_model::{Leave, Scene};
 use std::time::Duration;
 
 /// Options of planning. The defaults are what the program does when no option is given.
@@ -23,6 +23,8 @@ pub struct PlanOptions {
     pub seed: u64,
     /// Gives up after this time, checked between steps of work.
     pub time_limit: Option<Duration>,
+    /// What is done with objects that cannot be gathered, instead of what the scene says.
+    pub leave: Option<Leave>,
     /// Whether the plan is rehearsed in physics.
     pub rehearsal: RehearsalMode,
     /// Greatest number of optimizations: the first and those after a failed claim. At least 1.
@@ -43,6 +45,7 @@ impl Default for PlanOptions {
             method: Method::Joint,
             seed: 0,
             time_limit: None,
+            leave: None,
             rehearsal: RehearsalMode::Report,
             rounds: 6,
             rehearsal_rounds: 3,
@@ -58,6 +61,11 @@ impl PlanOptions {
             Some(NetLength::Auto) => None,
             Some(NetLength::Fixed(length)) => Some(length),
         }
+    }
+
+    /// What a run does with objects that cannot be gathered.
+    pub(crate) fn leave_for(&self, scene: &Scene) -> Leave {
+        self.leave.unwrap_or(scene.planner.leave)
     }
 
     /// N of a run in a scene; `None`: the planner chooses it.

@@ -1,18 +1,22 @@
 //! What planning, planning again and the studies over the net length begin with.
 
 use crate::error::PlanError;
+use crate::infeasible::Infeasible;
 use crate::observer::Stage;
 use crate::options::PlanOptions;
 use crate::run::Run;
 use pairtrawl_certificate::infeasibility;
-use pairtrawl_model::{Scales, Scene};
+use pairtrawl_model::{Leave, LeftOut, LeftWhy, Scales, Scene};
 use pairtrawl_route::RouteError;
 use pairtrawl_world::World;
+use std::borrow::Cow;
 
 /// A scene for which no proof rules a plan out, and its world. The stages between here and the certificate see
 /// `scaled` and work in units of the length scale; certificate, cost and rehearsal see `scene`, in m.
+#[derive(Clone)]
 pub(crate) struct Prepared<'a> {
-    pub scene: &'a Scene,
+    /// The scene, with the objects marked that are left where they are.
+    pub scene: Cow<'a, Scene>,
     pub options: &'a PlanOptions,
     pub scales: Scales,
     /// The scene in units of the length scale.
@@ -21,24 +25,43 @@ pub(crate) struct Prepared<'a> {
     pub net_length: Option<f64>,
     /// Obstacles and circles in units of the length scale.
     pub world: World,
+    /// The objects that are left and why, ascending.
+    pub left_out: Vec<LeftOut>,
 }
 
-/// Looks for proofs that there is no plan, and builds the world.
+/// Looks for proofs that there is no plan, leaves the objects that cannot be swept where the options say so, and builds the
+/// world.
 pub(crate) fn prepare<'a>(
     scene: &'a Scene,
     options: &'a PlanOptions,
     run: &mut Run,
 ) -> Result<Prepared<'a>, PlanError> {
     let net_length = options.net_length_for(scene);
-    let proof = run.stage(Stage::Proofs, || {
-        infeasibility::prove(scene, net_length)
-            .or_else(|| infeasibility::too_few_waypoints(scene, options.waypoints_for(scene)?))
+    let proofs = run.stage(Stage::Proofs, || {
+        let mut proofs = infeasibility::prove(scene, net_length);
+        if proofs.iter().all(|proof| proof.object().is_some())
+            && let Some(waypoints) = options.waypoints_for(scene)
+            && let Some(proof) = infeasibility::too_few_waypoints(scene, waypoints)
+        {
+            proofs.insert(0, proof);
+        }
+        proofs
     })?;
-    if let Some(proof) = proof {
-        return Err(PlanError::Infeasible(proof));
+    let infeasible = Infeasible {
+        proofs,
+        wanted: scene.wanted(),
+    };
+    let may_leave = options.leave_for(scene) == Leave::Unreachable && infeasible.can_leave();
+    if !infeasible.proofs.is_empty() && !may_leave {
+        return Err(PlanError::Infeasible(infeasible));
     }
-    let scales = Scales::of(scene);
-    let scaled = scales.scene(scene);
+    let left_out = infeasible.left_out();
+    let scene = match left_out.is_empty() {
+        true => Cow::Borrowed(scene),
+        false => Cow::Owned(scene.leaving(infeasible.objects())),
+    };
+    let scales = Scales::of(&scene);
+    let scaled = scales.scene(&scene);
     let net_length = net_length.map(|length| scales.scaled(length));
     let world = run
         .stage(Stage::World, || World::new(&scaled, net_length))?
@@ -50,6 +73,7 @@ pub(crate) fn prepare<'a>(
         scaled,
         net_length,
         world,
+        left_out,
     })
 }
 
@@ -59,9 +83,34 @@ impl<'a> Prepared<'a> {
         Prepared {
             options,
             net_length: length.map(|length| self.scales.scaled(length)),
-            scaled: self.scaled.clone(),
-            world: self.world.clone(),
-            ..*self
+            ..self.clone()
+        }
+    }
+
+    /// The same with more objects left where they are, because no certified plan was found that includes them: no circle
+    /// is made of them and nothing demands that they are covered. `text` says for people what was tried.
+    #[expect(dead_code, reason = "the search for a plan is about to use it")]
+    pub fn leaving(&self, objects: &[usize], text: &str) -> Prepared<'a> {
+        let scene = self.scene.leaving(objects.iter().copied());
+        let scaled = self.scales.scene(&scene);
+        let world = self.world.with_circles_of(&scaled, self.net_length);
+        let mut left_out = self.left_out.clone();
+        for &object in objects {
+            if left_out.iter().all(|left| left.object != object) {
+                left_out.push(LeftOut {
+                    object,
+                    why: LeftWhy::NotFound,
+                    text: text.to_owned(),
+                });
+            }
+        }
+        left_out.sort_by_key(|left| left.object);
+        Prepared {
+            scene: Cow::Owned(scene),
+            scaled,
+            world,
+            left_out,
+            ..self.clone()
         }
     }
 
@@ -73,7 +122,7 @@ impl<'a> Prepared<'a> {
     /// A length that the optimizer returns, m. One that was given comes back as it was, without rounding.
     pub fn meters(&self, length: f64) -> f64 {
         self.options
-            .net_length_for(self.scene)
+            .net_length_for(&self.scene)
             .filter(|&given| self.scales.scaled(given) == length)
             .unwrap_or(self.scales.meters(length))
     }

@@ -1,3 +1,4 @@
+use crate::check::without_left;
 use crate::files::PlanFile;
 use crate::judge;
 use pairtrawl_execution::ExecutionError;
@@ -26,6 +27,7 @@ pub fn rehearse(
     options: &Options,
 ) -> Result<Rehearsed, ExecutionError> {
     let mut plan = judge(scene, reference, file);
+    let scene = &*without_left(scene, &plan.left_out);
     let record = rehearse_trajectory(scene, plan.net_length, &plan.trajectory, options)?;
     plan.rehearsal = record.verdict.clone();
     Ok(Rehearsed { plan, record })

@@ -103,7 +103,7 @@ impl Start {
     /// The baseline pair along the centerline.
     pub fn baseline(&self, prepared: &Prepared) -> Result<PairTrajectory, RouteError> {
         let line = self.centerline(prepared)?;
-        let waypoints = prepared.options.waypoints_for(prepared.scene);
+        let waypoints = prepared.options.waypoints_for(&prepared.scene);
         baseline(
             &prepared.world,
             &prepared.scaled,

@@ -9,6 +9,7 @@ mod rings;
 pub use claims::claim_summaries;
 pub use execution::summarize_execution;
 
+use crate::check::without_left;
 use pairtrawl_geometry::{Point, Segment, SweptLine};
 use pairtrawl_model::{
     Event, PairTrajectory, Plan, RehearsalRecord, Scene, SceneOutline, StageTime, Summary,
@@ -25,6 +26,7 @@ pub fn summarize(
     stages: &[StageTime],
     rehearsal: Option<&RehearsalRecord>,
 ) -> Summary {
+    let scene = &*without_left(scene, &plan.left_out);
     let trajectory = &plan.trajectory;
     let times = plan.times();
     let (left_length, right_length) = trajectory.path_lengths();
@@ -54,6 +56,7 @@ pub fn summarize(
         },
         circles: plan.circles.clone(),
         order: plan.order.clone(),
+        left_out: plan.left_out.clone(),
         centerline: plan.centerline.clone(),
         baseline: plan.baseline.clone(),
         trajectory: trajectory.clone(),
@@ -131,6 +134,7 @@ mod tests {
                 position: Point::new(1.51, 1.6),
                 footprint: Footprint::Disc(0.03),
                 mass: 0.02,
+                leave: false,
             }],
             start: pair(1.0),
             end: pair(3.0),
@@ -164,6 +168,7 @@ mod tests {
             baseline: Default::default(),
             circles: Vec::new(),
             order: Vec::new(),
+            left_out: Vec::new(),
             cost: Cost::default(),
             rehearsal: Rehearsal::Skipped,
             solver: SolverReport {

@@ -10,8 +10,8 @@ use pairtrawl::files::{
 };
 use pairtrawl_geometry::{Point, Pose};
 use pairtrawl_model::{
-    Certificate, Circle, Claim, ClaimId, Cost, Overrides, PairTrajectory, Plan, Rehearsal,
-    SceneReference, Side, SolverReport, SolverStatus,
+    Certificate, Circle, Claim, ClaimId, Cost, Leave, LeftOut, LeftWhy, Overrides, PairTrajectory,
+    Plan, Rehearsal, SceneReference, Side, SolverReport, SolverStatus,
 };
 use pairtrawl_reference::{Reference, ReferenceLimits};
 use std::path::{Path, PathBuf};
@@ -40,6 +40,7 @@ fn plan() -> Plan {
         time_law: Vec::new(),
         overrides: Overrides {
             net_length: Some(None),
+            leave: Some(Leave::Unreachable),
         },
         circles: vec![Circle {
             center: Point::new(1.5, 2.5),
@@ -47,6 +48,18 @@ fn plan() -> Plan {
             objects: vec![3, 4],
         }],
         order: vec![0],
+        left_out: vec![
+            LeftOut {
+                object: 1,
+                why: LeftWhy::Proven,
+                text: "pinned".to_owned(),
+            },
+            LeftOut {
+                object: 7,
+                why: LeftWhy::NotFound,
+                text: "tried".to_owned(),
+            },
+        ],
         cost: Cost {
             smoothness: 1.0,
             distance: 2.0,
@@ -144,8 +157,8 @@ fn a_written_plan_reads_back_as_the_same_bits() {
         (Some(&plan.scene), plan.overrides)
     );
     assert_eq!(
-        (&read.centerline, &read.circles, &read.order),
-        (&plan.centerline, &plan.circles, &plan.order)
+        (&read.centerline, &read.circles, &read.order, &read.left_out),
+        (&plan.centerline, &plan.circles, &plan.order, &plan.left_out)
     );
     assert_eq!(
         (&read.rehearsal, &read.solver),
@@ -166,7 +179,10 @@ fn a_written_plan_reads_back_as_the_same_bits() {
 fn overrides_take_three_forms() {
     for choice in [None, Some(None), Some(Some(2.5))] {
         let plan = Plan {
-            overrides: Overrides { net_length: choice },
+            overrides: Overrides {
+                net_length: choice,
+                leave: None,
+            },
             ..plan()
         };
         let read = parse_plan(&plan_json(&plan).unwrap(), Path::new("plan.json")).unwrap();

@@ -296,6 +296,7 @@ fn an_object_off_the_path_makes_it_plan_from_nothing() {
         position: pairtrawl::geometry::Point::new(3.9, 1.6),
         footprint: Footprint::Disc(0.03),
         mass: 0.025,
+        leave: false,
     });
     let again = planner
         .replan(&before, 0, &loaded.scene, &loaded.reference, &mut ())
@@ -377,6 +378,7 @@ fn an_edited_time_law_is_judged_and_a_plan_without_one_is_read_linearly() {
             scene: Some(&made.scene),
             overrides: &made.overrides,
             time_law,
+            left_out: &[],
         };
         let certificate = check(&loaded.scene, &loaded.reference, &candidate);
         let claim = certificate.claims.iter().find(|c| c.id == ClaimId::Speed);

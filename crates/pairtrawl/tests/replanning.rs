@@ -154,6 +154,7 @@ fn the_net_keeps_its_length_in_mid_tow() {
         position: Point::new(3.9, 1.6),
         footprint: Footprint::Disc(0.03),
         mass: 0.025,
+        leave: false,
     });
     let rest = planner
         .replan(&before, passed, &scene, &loaded.reference, &mut ())

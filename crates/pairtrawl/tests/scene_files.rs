@@ -1,7 +1,7 @@
 //! Scene files: what is read, and that bad ones are refused with a message that names the field and the bound.
 
 use pairtrawl::files::{FileError, Problem, parse_scene, read_scene};
-use pairtrawl_model::{Footprint, Obstacle, PhysicsParameters, PlannerParameters, Robot};
+use pairtrawl_model::{Footprint, Leave, Obstacle, PhysicsParameters, PlannerParameters, Robot};
 use std::path::{Path, PathBuf};
 
 const HALL: &str = r#"format = "pairtrawl-scene/1"
@@ -105,7 +105,7 @@ fn every_parameter_can_be_set() {
          [net]\nlength = 1.5\nstart = [[0.7, 0.5], [1.0, 0.2], [1.3, 0.5]]\n\
          [planner]\nmax_step = 0.04\nmax_turn = 0.2\nmax_skew = 0.9\nclearance = 0\ncruise = 0.1\nhalf_separation = 0.4\n\
          circle_margin = 0.3\nwaypoints = 99\nalternations = 3\nmin_ratio = 0.2\nrest_ratio = 0.5\nk1 = 1\nk2 = 2\nk3 = 3\n\
-         t1 = 4\nt2 = 5\nkd1 = 6\nkd2 = 7\nb1 = 8\nb2 = 9\nb3 = 10\na1 = 11\na2 = 12\na3 = 13\na4 = 14\n\
+         t1 = 4\nt2 = 5\nkd1 = 6\nkd2 = 7\nb1 = 8\nb2 = 9\nb3 = 10\na1 = 11\na2 = 12\na3 = 13\na4 = 14\nleave = \"unreachable\"\n\
          [physics]\ngravity = 1.6\nrobot_mass = 2\nrobot_inertia = 0.1\ncenter_of_mass = 0.01\nwheel_radius = 0.04\nmax_torque = 2\n\
          wheel_friction = 0.7\nnet_mass = 0.03\nnet_link = 0.2\nnet_thickness = 0.02\nnet_height = 0.1\nhinge_damping = 0.002\n\
          net_friction = 0.3\nobject_friction = 0.4\ncontact_friction = 0.5\ntension_limit = 20\n"
@@ -151,6 +151,7 @@ fn every_parameter_can_be_set() {
         a2: 12.0,
         a3: 13.0,
         a4: 14.0,
+        leave: Leave::Unreachable,
     };
     assert_eq!(scene.planner, planner);
     let physics = PhysicsParameters {

@@ -242,6 +242,7 @@ pub(crate) mod tests {
                     position: p.into(),
                     footprint: Footprint::Disc(0.035),
                     mass: 0.025,
+                    leave: false,
                 })
                 .collect(),
             start,

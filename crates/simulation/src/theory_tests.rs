@@ -45,6 +45,7 @@ fn slip_along_wall(angle: f64) -> f64 {
         position: Point::new(0.0, 0.0251),
         footprint: Footprint::Box(0.05, 0.05),
         mass: 0.025,
+        leave: false,
     }];
     let scene = scene(objects);
     let parameters = Parameters::new(&scene, 2.0, &Options::default()).unwrap();

@@ -73,6 +73,7 @@ impl Watch {
             held: vec![Holding::Outside; scene.objects.len()],
             open: Vec::new(),
             record: RehearsalRecord {
+                left: scene.left(),
                 warnings: simulation.warnings().to_vec(),
                 ..RehearsalRecord::default()
             },
@@ -120,7 +121,7 @@ impl Watch {
         self.record.duration = simulation.time();
         self.record.mean_drive_force = self.whole.drive.map(|sum| sum / self.whole.steps.max(1.0));
         for (object, pose) in simulation.objects().iter().enumerate() {
-            if !self.record.gathered[object] {
+            if !self.record.gathered[object] && !self.record.left.contains(&object) {
                 self.happened(
                     Kind::ObjectNotGathered { object },
                     simulation.time(),
@@ -198,6 +199,9 @@ impl Watch {
         let net = simulation.net();
         let time = simulation.time();
         for (object, pose) in simulation.objects().iter().enumerate() {
+            if self.record.left.contains(&object) {
+                continue;
+            }
             let place = pose.position();
             self.held[object] = match self.held[object] {
                 Holding::Outside if encloses(&net, place) => Holding::Since(time),

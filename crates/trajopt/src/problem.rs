@@ -23,6 +23,8 @@ pub struct Problem {
     pub net_length: Option<f64>,
     /// Object centers with the distance that axle centers keep from them (without the margin), m.
     pub(crate) objects: Vec<(Point, f64)>,
+    /// Which of them the line between the robots is to pass over: all but those that are left where they are.
+    pub(crate) wanted: Vec<bool>,
     /// The same as discs, to find those near a point.
     pub(crate) object_index: PieceIndex,
     /// Convex cover of the obstacles.
@@ -105,6 +107,7 @@ impl Problem {
             net_length,
             object_index: PieceIndex::new(&discs, &scene.area, reach),
             objects,
+            wanted: scene.objects.iter().map(|object| !object.leave).collect(),
             pieces: PieceIndex::new(obstacles, &scene.area, reach),
             reserve: Reserve {
                 clearance: scene.planner.clearance,

@@ -28,7 +28,8 @@ pub(crate) struct Sight<'a> {
 impl<'a> Sight<'a> {
     /// `crossings` has the waypoint at which the line passes over each object.
     pub fn new(problem: &'a Problem, x: &'a Iterate, crossings: &[usize]) -> Self {
-        let mut crossings: Vec<_> = crossings.iter().copied().zip(0..).collect();
+        let wanted = |(_, object): &(usize, u32)| problem.wanted[*object as usize];
+        let mut crossings: Vec<_> = crossings.iter().copied().zip(0..).filter(wanted).collect();
         crossings.sort_unstable();
         Self {
             problem,
@@ -44,7 +45,7 @@ impl<'a> Sight<'a> {
         stage > 0 && stage + 1 < self.x.stages.len()
     }
 
-    /// The objects that the line passes over at a waypoint.
+    /// The objects to be gathered that the line passes over at a waypoint.
     pub fn crossed(&self, stage: usize) -> impl Iterator<Item = u32> + '_ {
         let from = self.crossings.partition_point(|c| c.0 < stage);
         let here = self.crossings[from..].iter();

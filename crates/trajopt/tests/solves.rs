@@ -122,6 +122,7 @@ fn an_object_without_room_beside_it_is_named() {
         position: Point::new(2.0, 0.0),
         footprint: Footprint::Disc(0.2),
         mass: 0.02,
+        leave: false,
     }];
     let problem = problem(&scene, Some(1.4));
     let solution = optimize(&problem, &start, &Settings::default());

@@ -12,10 +12,11 @@ pub const OPEN_NET_LENGTH: f64 = 2.0;
 /// wider by at most 0.13 %.
 const DISC_SIDES: usize = 64;
 
-/// One circle per object: the minimum bounding circle of its footprint, enlarged by gamma.
+/// One circle per object that is to be gathered: the minimum bounding circle of its footprint, enlarged by gamma.
 pub(crate) fn object_circles(scene: &Scene) -> Vec<Circle> {
     let gamma = margin(scene);
     (scene.objects.iter().enumerate())
+        .filter(|(_, object)| !object.leave)
         .map(|(i, o)| Circle {
             center: o.position,
             radius: o.footprint_radius() + gamma,

@@ -35,7 +35,7 @@ pub struct World {
     pub grid: OccupancyGrid,
     /// Signed distance from obstacles.
     pub field: DistanceField,
-    /// r_o: one circle per object of the scene, in its order, margin gamma included.
+    /// r_o: one circle per object that is to be gathered, in the scene's order, margin gamma included.
     pub object_circles: Vec<Circle>,
     /// Circles of close objects merged; for order, centerline and baseline.
     pub circles: Vec<Circle>,
@@ -61,6 +61,16 @@ impl World {
             circles: circles::merged_circles(scene, net_length),
             pieces,
         })
+    }
+
+    /// The same world after objects of the scene were marked as left, or unmarked: obstacles stay, circles are made anew.
+    #[must_use]
+    pub fn with_circles_of(&self, scene: &Scene, net_length: Option<f64>) -> Self {
+        Self {
+            object_circles: circles::object_circles(scene),
+            circles: circles::merged_circles(scene, net_length),
+            ..self.clone()
+        }
     }
 }
 

@@ -36,6 +36,11 @@ pub struct PlanningArguments {
     #[arg(long, value_name = "S", value_parser = parse_seconds)]
     pub time_limit: Option<f64>,
 
+    /// What to do with objects that cannot be gathered, whatever the scene says: refuse the whole plan, or leave them where
+    /// they are and gather the rest
+    #[arg(long, value_enum, value_name = "none|unreachable")]
+    pub leave: Option<LeaveArgument>,
+
     /// Do not rehearse the plan in physics
     #[arg(long, conflicts_with = "require_rehearsal")]
     pub no_rehearsal: bool,
@@ -67,6 +72,7 @@ impl PlanningArguments {
             method: self.method.into(),
             seed: self.seed,
             time_limit: self.time_limit.map(std::time::Duration::from_secs_f64),
+            leave: self.leave.map(Into::into),
             rehearsal: match (self.no_rehearsal, self.require_rehearsal) {
                 (true, _) => RehearsalMode::Skip,
                 (false, true) => RehearsalMode::Require,
@@ -82,6 +88,24 @@ impl From<Order> for pairtrawl::OrderMethod {
         match order {
             Order::Given => Self::Given,
             Order::Shortest => Self::Shortest,
+        }
+    }
+}
+
+/// What is done with objects that cannot be gathered.
+#[derive(Clone, Copy, Debug, ValueEnum)]
+pub enum LeaveArgument {
+    /// One that cannot be gathered refuses the whole plan
+    None,
+    /// They are left where they are, and the rest is gathered
+    Unreachable,
+}
+
+impl From<LeaveArgument> for pairtrawl::model::Leave {
+    fn from(leave: LeaveArgument) -> Self {
+        match leave {
+            LeaveArgument::None => Self::None,
+            LeaveArgument::Unreachable => Self::Unreachable,
         }
     }
 }

@@ -33,6 +33,7 @@ fn check_in(loaded: &LoadedScene, arguments: &CheckArguments) -> Result<Done, Fa
         scene: plan.scene.as_ref(),
         overrides: &plan.overrides,
         time_law: plan.time_law.as_deref(),
+        left_out: &plan.left_out,
     };
     let certificate = pairtrawl::check(&loaded.scene, &loaded.reference, &candidate);
     let mut claims = claim_summaries(&certificate, &trajectory.times());

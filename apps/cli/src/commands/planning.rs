@@ -3,7 +3,7 @@
 use crate::arguments::PlanningArguments;
 use crate::exit::Exit;
 use crate::failure::Failure;
-use crate::objects::{ClaimObject, CostObject, RehearsalObject};
+use crate::objects::{ClaimObject, CostObject, LeftOutObject, RehearsalObject};
 use crate::output::{Done, Report, finite};
 use crate::plan_text::plan_text;
 use crate::progress::Progress;
@@ -43,6 +43,10 @@ pub struct PlanReport {
     right_length: f64,
     /// Time to drive, s.
     duration: f64,
+    /// How many objects the plan gathers.
+    gathers: usize,
+    /// Objects that it leaves where they are, ascending.
+    left_out: Vec<LeftOutObject>,
     /// The paper's J.
     cost: CostObject,
     /// The proof, claim by claim.
@@ -77,6 +81,8 @@ impl From<&Summary> for PlanReport {
             left_length: summary.left_length,
             right_length: summary.right_length,
             duration: summary.duration,
+            gathers: summary.gathers(),
+            left_out: summary.left_out.iter().map(LeftOutObject::from).collect(),
             cost: CostObject::from(&summary.cost),
             claims: summary.claims.iter().map(ClaimObject::from).collect(),
             rehearsal: RehearsalObject::from(&summary.rehearsal),

@@ -22,6 +22,8 @@ pub struct RehearseReport {
     rehearsal: RehearsalObject,
     /// For each object of the scene: true when it lies in the net at the end.
     gathered: Vec<bool>,
+    /// Objects that the plan leaves where they are: they do not count.
+    left: Vec<usize>,
     /// Greatest tension at the hitches, N.
     max_tension: [f64; 2],
     /// Greatest distance from the plan, m.
@@ -113,7 +115,6 @@ fn rehearse_in(
 
 fn record_text(name: &str, record: &RehearsalRecord) -> String {
     let mut text = String::new();
-    let home = record.gathered.iter().filter(|gathered| **gathered).count();
     let both = |[left, right]: [f64; 2], say: &dyn Fn(f64) -> String| {
         format!("{} left, {} right", say(left), say(right))
     };
@@ -121,7 +122,15 @@ fn record_text(name: &str, record: &RehearsalRecord) -> String {
     let lines = [
         (
             "gathered",
-            format!("{home} of {} objects", record.gathered.len()),
+            format!(
+                "{} of {} objects{}",
+                record.gathered_count(),
+                record.wanted(),
+                match record.left.len() {
+                    0 => String::new(),
+                    left => format!(", {left} left as planned"),
+                }
+            ),
         ),
         (
             "tension",
@@ -161,6 +170,7 @@ fn report(record: &RehearsalRecord, certificate_valid: bool) -> RehearseReport {
     RehearseReport {
         rehearsal: RehearsalObject::from(&record.verdict),
         gathered: record.gathered.clone(),
+        left: record.left.clone(),
         max_tension: record.max_tension,
         max_deviation: record.max_deviation,
         mean_drive_force: record.mean_drive_force,

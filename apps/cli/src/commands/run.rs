@@ -178,7 +178,7 @@ fn trial_text(trial: &Trial) -> String {
         "  {:>5} {:>6}/{:<2} {:>18} {:>18} {:>10} {:>9}  {event}",
         trial.index,
         trial.gathered_count(),
-        trial.gathered.len(),
+        trial.wanted(),
         lengths(&[left.rms.max(right.rms), left.max.max(right.max)]),
         lengths(&[
             left.settled_rms.max(right.settled_rms),

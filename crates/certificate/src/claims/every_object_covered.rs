@@ -5,7 +5,7 @@ use crate::tightest::Tightest;
 use pairtrawl_geometry::{Bounds, Point, Segment, SweptLine};
 use pairtrawl_model::numbers::length;
 
-/// The line between the robots passes over every object's center at some instant.
+/// The line between the robots passes over the center of every object that is not left, at some instant.
 ///
 /// The margin of an object is its distance from the nearer robot when the line passes over it, the best over all
 /// passages, or minus its distance from the swept region when none does, m. Its step is that of the best passage.
@@ -14,6 +14,9 @@ pub(super) fn judge(subject: &Subject<'_>) -> Tightest {
     for (reading, steps) in &subject.readings {
         let bounds: Vec<Bounds> = steps.iter().map(Stretch::bounds).collect();
         for (j, object) in subject.scene.objects.iter().enumerate() {
+            if object.leave {
+                continue;
+            }
             let (margin, step) = best(reading, steps, &bounds, object.position);
             tightest.consider(margin, step, object.position, || {
                 let on = reading.suffix();

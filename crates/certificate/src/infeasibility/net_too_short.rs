@@ -2,7 +2,7 @@ use super::proof::{CAUTION, Proof, ProofKind};
 use pairtrawl_model::Scene;
 use pairtrawl_model::numbers::{enough_length, length};
 
-/// The net cannot span the pair at its start or end, or cannot pass over an object between the robots.
+/// The net cannot span the pair at its start or end.
 pub(super) fn prove(scene: &Scene, net_length: f64) -> Option<Proof> {
     let hitch = scene.robot.hitch;
     let mut worst: Option<(f64, String)> = None;
@@ -29,25 +29,6 @@ pub(super) fn prove(scene: &Scene, net_length: f64) -> Option<Proof> {
             format!(
                 "the robots' axle centers at the {what} are {} apart",
                 length(axles)
-            ),
-        );
-    }
-    let largest = scene.objects.iter().enumerate().reduce(|a, b| {
-        if b.1.footprint_radius() > a.1.footprint_radius() {
-            b
-        } else {
-            a
-        }
-    });
-    if let Some((i, object)) = largest {
-        let diameter = 2.0 * object.footprint_radius();
-        let needed = diameter + 2.0 * scene.robot.radius;
-        require(
-            needed,
-            format!(
-                "a line over object {i} with a robot on each side is at least {} long (two robot radii and its footprint circle of {})",
-                length(needed),
-                length(diameter)
             ),
         );
     }

@@ -5,47 +5,56 @@ use pairtrawl_model::numbers::{enough_length, length, place};
 use pairtrawl_model::{PairPose, Scene};
 use std::f64::consts::FRAC_PI_2;
 
-/// An object closer to an obstacle than two robot radii, or closer to the edge of the area than one, and neither the first nor the last line passes between.
-pub(super) fn prove(things: &Things<'_>) -> Option<Proof> {
+/// The objects closer to an obstacle than two robot radii, or closer to the edge of the area than one, where neither the
+/// first nor the last line passes between.
+pub(super) fn prove(things: &Things<'_>) -> Vec<Proof> {
     let scene = things.scene;
     if !always_forward(scene) {
-        return None;
+        return Vec::new();
     }
     let line = |pair: PairPose| Segment::new(pair.left.position(), pair.right.position());
     let lines = [line(scene.start), line(scene.end)];
+    let wanted = (0..scene.objects.len()).filter(|&i| !scene.objects[i].leave);
+    wanted
+        .filter_map(|object| pinned(things, &lines, object))
+        .collect()
+}
+
+/// The proof about one object, by the first obstacle that pins it.
+fn pinned(things: &Things<'_>, lines: &[Segment], i: usize) -> Option<Proof> {
+    let scene = things.scene;
     let wide = 2.0 * scene.robot.radius;
-    scene.objects.iter().enumerate().find_map(|(i, object)| {
-        let (center, rho) = (object.position, object.footprint_radius());
-        let passes = |foot: Point| {
-            let shortest = Segment::new(center, foot);
-            (lines.iter()).any(|line| line.gap_to_segment(&shortest).distance <= CAUTION)
-        };
-        let (to_edge, foot) = nearest_edge(scene, center);
-        let gap = to_edge - rho;
-        if gap < scene.robot.radius - CAUTION && to_edge > 0.0 && !passes(foot) {
-            return Some(at_edge(scene, i, gap));
+    let object = &scene.objects[i];
+    let (center, rho) = (object.position, object.footprint_radius());
+    let passes = |foot: Point| {
+        let shortest = Segment::new(center, foot);
+        (lines.iter()).any(|line| line.gap_to_segment(&shortest).distance <= CAUTION)
+    };
+    let (to_edge, foot) = nearest_edge(scene, center);
+    let gap = to_edge - rho;
+    if gap < scene.robot.radius - CAUTION && to_edge > 0.0 && !passes(foot) {
+        return Some(at_edge(scene, i, gap));
+    }
+    let near = things.obstacles.distances(center, wide + rho - CAUTION);
+    near.into_iter().find_map(|(distance, part)| {
+        if distance <= 0.0 || !has_inside(things, Thing::Obstacle(part)) {
+            return None; // The object is inside the obstacle: bad input. An obstacle without inside proves nothing.
         }
-        let near = things.obstacles.distances(center, wide + rho - CAUTION);
-        near.into_iter().find_map(|(distance, part)| {
-            if distance <= 0.0 || !has_inside(things, Thing::Obstacle(part)) {
-                return None; // The object is inside the obstacle: bad input. An obstacle without inside proves nothing.
-            }
-            if passes(things.nearest_point(Thing::Obstacle(part), center)) {
-                return None;
-            }
-            let gap = distance - rho;
-            Some(Proof {
-                kind: ProofKind::ObjectPinned { object: i, gap },
-                message: format!(
-                    "object {i} at {} cannot be swept: {} between its footprint circle and {part}, where a robot needs {} to \
-                     pass, so both robots pass on the same side of it, and the line between them passes there neither at \
-                     the start nor at the end; move the object at least {} away from the obstacle",
-                    place(center),
-                    room(gap),
-                    length(wide),
-                    enough_length(wide - gap),
-                ),
-            })
+        if passes(things.nearest_point(Thing::Obstacle(part), center)) {
+            return None;
+        }
+        let gap = distance - rho;
+        Some(Proof {
+            kind: ProofKind::ObjectPinned { object: i, gap },
+            message: format!(
+                "object {i} at {} cannot be swept: {} between its footprint circle and {part}, where a robot needs {} to \
+                 pass, so both robots pass on the same side of it, and the line between them passes there neither at \
+                 the start nor at the end; move the object at least {} away from the obstacle",
+                place(center),
+                room(gap),
+                length(wide),
+                enough_length(wide - gap),
+            ),
         })
     })
 }

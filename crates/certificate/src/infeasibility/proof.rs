@@ -10,6 +10,22 @@ pub struct Proof {
     pub message: String,
 }
 
+impl Proof {
+    /// The object that cannot be swept; `None` when the proof is not about one: then there is no plan, whatever is left.
+    pub fn object(&self) -> Option<usize> {
+        match self.kind {
+            ProofKind::ObjectTooWide { object, .. }
+            | ProofKind::ObjectEnclosed { object }
+            | ProofKind::ObjectAtEdge { object, .. }
+            | ProofKind::ObjectPinned { object, .. } => Some(object),
+            ProofKind::NetTooShort { .. }
+            | ProofKind::NetTooLong { .. }
+            | ProofKind::TooFewWaypoints { .. }
+            | ProofKind::WayCut { .. } => None,
+        }
+    }
+}
+
 impl fmt::Display for Proof {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         f.write_str(&self.message)
@@ -41,6 +57,13 @@ pub enum ProofKind {
         place: Point,
         /// Its width there; 0 where it is closed.
         width: f64,
+    },
+    /// The net cannot span an object with a robot on each side.
+    ObjectTooWide {
+        /// Its index.
+        object: usize,
+        /// The least net length that would do, m.
+        needed: f64,
     },
     /// The line between the robots cannot get to an object.
     ObjectEnclosed {

@@ -45,6 +45,7 @@ pub fn cube(x: f64, y: f64) -> Object {
         position: Point::new(x, y),
         footprint: Footprint::Box(0.05, 0.05),
         mass: 0.025,
+        leave: false,
     }
 }
 

@@ -17,6 +17,7 @@ pub fn furnish(case: &mut Case, kind: usize, random: &mut Random, accepts: impl 
                 Footprint::Box(0.05, 0.05)
             },
             mass: 0.02,
+            leave: false,
         };
         case.scene.objects.push(object);
         if !accepts(case) {

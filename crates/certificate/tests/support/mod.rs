@@ -97,6 +97,7 @@ fn object(value: &Value) -> Object {
         position: point(&value["position"]),
         footprint: Footprint::Box(number(&size[0]), number(&size[1])),
         mass: number(&value["mass"]),
+        leave: false,
     }
 }
 

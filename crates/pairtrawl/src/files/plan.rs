@@ -2,6 +2,7 @@
 
 pub(super) mod file;
 mod layout;
+mod left_out;
 mod read;
 mod write;
 

@@ -228,6 +228,7 @@ mod tests {
             seed: 7,
             conditions: Default::default(),
             gathered: vec![gathered],
+            left: Vec::new(),
             events: Vec::new(),
             tracking: Default::default(),
             cost: Cost::default(),

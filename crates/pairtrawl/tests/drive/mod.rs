@@ -49,6 +49,7 @@ pub fn scene(trajectory: &PairTrajectory) -> Scene {
         position: Point::new(x, y),
         footprint: Footprint::Box(0.05, 0.05),
         mass: 0.025,
+        leave: false,
     };
     Scene {
         name: "drive".to_owned(),

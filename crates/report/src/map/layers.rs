@@ -205,12 +205,16 @@ fn robot_at(w: &mut Writer, class: &str, pose: Pose, robot: &Robot, to: &Project
 }
 
 fn footprint(w: &mut Writer, object: &Object, to: &Projection) {
+    let class = match object.leave {
+        true => "left-object",
+        false => "object",
+    };
     match object.footprint {
         Footprint::Box(width, depth) => {
             let half = Point::new(0.5 * width, 0.5 * depth);
             let corners = rectangle(object.position - half, object.position + half);
-            path(w, "object", to.ring(corners));
+            path(w, class, to.ring(corners));
         }
-        Footprint::Disc(radius) => circle(w, "object", object.position, radius, to),
+        Footprint::Disc(radius) => circle(w, class, object.position, radius, to),
     }
 }

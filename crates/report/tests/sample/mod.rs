@@ -57,11 +57,13 @@ pub fn summary(steps: usize) -> Summary {
                     position: Point::new(1.2, 1.5),
                     footprint: Footprint::Disc(0.04),
                     mass: 0.02,
+                    leave: false,
                 },
                 Object {
                     position: Point::new(1.4, 1.4),
                     footprint: Footprint::Box(0.06, 0.04),
                     mass: 0.02,
+                    leave: false,
                 },
             ],
             robot: Robot::default(),
@@ -74,6 +76,7 @@ pub fn summary(steps: usize) -> Summary {
             objects: vec![0, 1],
         }],
         order: vec![0],
+        left_out: Vec::new(),
         centerline: vec![Pose::new(1.0, 1.5, 0.0), Pose::new(end, 1.5, 0.0)],
         baseline: PairTrajectory {
             left: vec![Pose::new(1.0, 1.8, 0.0), Pose::new(end, 1.8, 0.0)],

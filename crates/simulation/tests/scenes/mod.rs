@@ -42,6 +42,7 @@ pub fn cube(x: f64, y: f64) -> Object {
         position: Point::new(x, y),
         footprint: Footprint::Box(CUBE, CUBE),
         mass: 0.025,
+        leave: false,
     }
 }
 

@@ -47,6 +47,10 @@ pub struct File {
     /// Visiting order: indices into `circles`.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub order: Option<Vec<usize>>,
+    /// Objects that are left where they are, ascending: the claim `every_object_covered` is about all others. There only
+    /// when something is left.
+    #[serde(default, skip_serializing_if = "Vec::is_empty")]
+    pub left_out: Vec<FileLeftOut>,
     /// The paper's J of the two trajectories.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub cost: Option<FileCost>,
@@ -79,6 +83,44 @@ pub struct FileOverrides {
     /// Length of the net, m, or `auto`: the planner chose it.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub net_length: Option<FileNetLength>,
+    /// What is done with objects that cannot be gathered.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub leave: Option<FileLeave>,
+}
+
+/// What is done with objects that cannot be gathered.
+#[derive(Clone, Copy, Serialize, Deserialize)]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema), schemars(inline))]
+#[serde(rename_all = "lowercase")]
+pub enum FileLeave {
+    /// Nothing is left.
+    None,
+    /// They are left where they are.
+    Unreachable,
+}
+
+/// An object that is left where it is.
+#[derive(Serialize, Deserialize)]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
+pub struct FileLeftOut {
+    /// Its index in the scene.
+    pub object: usize,
+    /// On what grounds.
+    pub why: FileLeftWhy,
+    /// The reason in full, for people.
+    #[serde(default)]
+    pub text: String,
+}
+
+/// On what grounds an object is left.
+#[derive(Clone, Copy, Serialize, Deserialize)]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema), schemars(inline))]
+#[serde(rename_all = "snake_case")]
+pub enum FileLeftWhy {
+    /// There is a proof that no plan can sweep it.
+    Proven,
+    /// No certified plan was found that includes it.
+    NotFound,
 }
 
 #[derive(Clone, Copy, Serialize, Deserialize)]

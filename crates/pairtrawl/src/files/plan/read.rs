@@ -1,10 +1,10 @@
 use super::FORMAT;
-use super::file::{Auto, File, FileNetLength, FileRehearsal, FileSolver};
+use super::file::{Auto, File, FileLeftOut, FileNetLength, FileRehearsal, FileSolver};
 use crate::files::{FileError, Problem};
 use pairtrawl_geometry::{Point, Pose};
 use pairtrawl_model::{
-    Circle, Cost, Overrides, PairTrajectory, Rehearsal, Scene, SceneReference, SolverReport,
-    SolverStatus, default_step_time,
+    Circle, Cost, Leave, LeftOut, Overrides, PairTrajectory, Rehearsal, Scene, SceneReference,
+    SolverReport, SolverStatus, default_step_time,
 };
 use serde::Deserialize;
 use std::path::Path;
@@ -34,6 +34,8 @@ pub struct PlanFile {
     pub circles: Vec<Circle>,
     /// Visiting order; empty when the file has none.
     pub order: Vec<usize>,
+    /// Objects that it leaves where they are, ascending; empty when it gathers everything.
+    pub left_out: Vec<LeftOut>,
     /// The paper's J as the file states it.
     pub cost: Option<Cost>,
     /// What the rehearsal said, as the file states it.
@@ -188,9 +190,18 @@ impl From<FileSolver> for SolverReport {
     }
 }
 
+/// Ascending, each object once.
+fn left_out(listed: Vec<FileLeftOut>) -> Vec<LeftOut> {
+    let mut left: Vec<LeftOut> = listed.into_iter().map(LeftOut::from).collect();
+    left.sort_by_key(|left| left.object);
+    left.dedup_by_key(|left| left.object);
+    left
+}
+
 impl From<File> for PlanFile {
     fn from(file: File) -> Self {
         let poses = |raw: Vec<[f64; 3]>| raw.into_iter().map(Pose::from).collect::<Vec<_>>();
+        let overrides = file.overrides.unwrap_or_default();
         Self {
             net_length: file.net_length,
             left: poses(file.left),
@@ -203,13 +214,11 @@ impl From<File> for PlanFile {
                 content_sha256: s.content_sha256,
             }),
             overrides: Overrides {
-                net_length: file
-                    .overrides
-                    .and_then(|changed| changed.net_length)
-                    .map(|length| match length {
-                        FileNetLength::Fixed(length) => Some(length),
-                        FileNetLength::Auto(Auto::Auto) => None,
-                    }),
+                net_length: overrides.net_length.map(|length| match length {
+                    FileNetLength::Fixed(length) => Some(length),
+                    FileNetLength::Auto(Auto::Auto) => None,
+                }),
+                leave: overrides.leave.map(Leave::from),
             },
             centerline: poses(file.centerline.unwrap_or_default()),
             baseline: file.baseline.map(|b| (poses(b.left), poses(b.right))),
@@ -221,6 +230,7 @@ impl From<File> for PlanFile {
                 })
                 .collect(),
             order: file.order.unwrap_or_default(),
+            left_out: left_out(file.left_out),
             cost: file.cost.map(|c| Cost {
                 smoothness: c.smoothness,
                 distance: c.distance,

@@ -1,7 +1,7 @@
 use super::FORMAT;
 use super::file::{
-    Auto, Baseline, File, FileCertificate, FileCircle, FileNetLength, FileOverrides, FileRehearsal,
-    FileSolver,
+    Auto, Baseline, File, FileCertificate, FileCircle, FileLeave, FileLeftOut, FileNetLength,
+    FileOverrides, FileRehearsal, FileSolver,
 };
 use super::layout::lines;
 use crate::files::parts::{FileClaim, FileCost, Reference, finite};
@@ -31,6 +31,7 @@ impl From<&Plan> for File {
                 net_length: (plan.overrides.net_length).map(|length| {
                     length.map_or(FileNetLength::Auto(Auto::Auto), FileNetLength::Fixed)
                 }),
+                leave: plan.overrides.leave.map(FileLeave::from),
             }),
             centerline: Some(poses(&plan.centerline)),
             baseline: Some(Baseline {
@@ -47,6 +48,7 @@ impl From<&Plan> for File {
                     .collect(),
             ),
             order: Some(plan.order.clone()),
+            left_out: plan.left_out.iter().map(FileLeftOut::from).collect(),
             cost: Some(FileCost::from(plan.cost)),
             certificate: Some(FileCertificate::from(&plan.certificate)),
             rehearsal: Some(FileRehearsal::from(&plan.rehearsal)),

@@ -3,7 +3,9 @@
 use crate::files::FileError;
 use crate::files::toml_reader::Range::{Length, NotNegative, Positive, UpTo};
 use crate::files::toml_reader::{Range, Table};
-use pairtrawl_model::{NetSpec, PhysicsParameters, PlannerParameters, Robot, RobotSize, Warning};
+use pairtrawl_model::{
+    Leave, NetSpec, PhysicsParameters, PlannerParameters, Robot, RobotSize, Warning,
+};
 use std::f64::consts::{FRAC_PI_2, PI};
 
 /// Bounds that keep a run finite.
@@ -87,7 +89,7 @@ pub(super) fn planner(
             ("a3", NotNegative, &mut p.a3),
             ("a4", NotNegative, &mut p.a4),
         ],
-        &["circle_margin", "waypoints", "alternations"],
+        &["circle_margin", "waypoints", "alternations", "leave"],
     )?;
     if p.cruise < SLOW * robot.v_max {
         warnings.push(Warning::SlowCruise {
@@ -103,6 +105,10 @@ pub(super) fn planner(
     }
     if let Some(value) = table.get("alternations") {
         p.alternations = value.count(1, MOST_ALTERNATIONS)?;
+    }
+    if let Some(value) = table.get("leave") {
+        p.leave = Leave::of_name(value.text()?)
+            .ok_or_else(|| value.refuse("\"none\" or \"unreachable\""))?;
     }
     for (low, high, which) in [
         (p.min_ratio, p.rest_ratio, "rest_ratio"),

@@ -91,6 +91,7 @@ fn object(table: &Table<'_>, robot: &Robot) -> Result<Object, FileError> {
         position,
         footprint,
         mass,
+        leave: false,
     })
 }
 
