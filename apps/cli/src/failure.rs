@@ -1,10 +1,9 @@
 //! What the program says when it could not do its job, and which exit code each error of the library gets.
 
+use crate::details::Details;
 use crate::exit::Exit;
 use pairtrawl::PlanError;
-use pairtrawl::certificate::infeasibility::ProofKind;
 use pairtrawl::files::FileError;
-use pairtrawl::geometry::Point;
 use schemars::JsonSchema;
 use serde::Serialize;
 use std::fmt;
@@ -24,122 +23,6 @@ pub struct Failure {
     pub help: Option<String>,
     /// More for machines.
     pub details: Box<Details>,
-}
-
-/// What a failure is about, for machines; what does not apply is left out.
-#[derive(Clone, Debug, Default, Serialize, JsonSchema)]
-pub struct Details {
-    /// The claim that fails in the best attempt.
-    #[serde(skip_serializing_if = "Option::is_none")]
-    pub claim: Option<&'static str>,
-    /// At which step.
-    #[serde(skip_serializing_if = "Option::is_none")]
-    pub step: Option<usize>,
-    /// Where, m.
-    #[serde(skip_serializing_if = "Option::is_none")]
-    pub place: Option<[f64; 2]>,
-    /// The same as `place`.
-    #[serde(rename = "where", skip_serializing_if = "Option::is_none")]
-    pub same_place: Option<[f64; 2]>,
-    /// By how much, in the claim's unit; negative.
-    #[serde(skip_serializing_if = "Option::is_none")]
-    pub margin: Option<f64>,
-    /// The argument of a proof that there is no plan.
-    #[serde(skip_serializing_if = "Option::is_none")]
-    pub proof: Option<&'static str>,
-    /// What the proof says is needed: the least or, with `net_too_long`, the greatest net length in m, or a number of
-    /// waypoints.
-    #[serde(skip_serializing_if = "Option::is_none")]
-    pub needed: Option<f64>,
-    /// The object that it is about: its index in the scene.
-    #[serde(skip_serializing_if = "Option::is_none")]
-    pub object: Option<usize>,
-    /// The gap that is too narrow: its width, m.
-    #[serde(skip_serializing_if = "Option::is_none")]
-    pub gap: Option<f64>,
-    /// The time limit, s.
-    #[serde(skip_serializing_if = "Option::is_none")]
-    pub limit: Option<f64>,
-    /// The stage that was at work.
-    #[serde(skip_serializing_if = "Option::is_none")]
-    pub stage: Option<String>,
-    /// The file that it is about.
-    #[serde(skip_serializing_if = "Option::is_none")]
-    pub file: Option<String>,
-    /// The line of it, from 1.
-    #[serde(skip_serializing_if = "Option::is_none")]
-    pub line: Option<usize>,
-    /// Where the results of an earlier run were moved, so that nobody takes them for this one's.
-    #[serde(skip_serializing_if = "Option::is_none")]
-    pub set_aside: Option<String>,
-}
-
-impl Details {
-    /// About a place, m.
-    pub fn at(place: Option<Point>) -> Self {
-        let place = place.map(<[f64; 2]>::from);
-        Self {
-            place,
-            same_place: place,
-            ..Self::default()
-        }
-    }
-
-    /// The thing and the amount of a proof.
-    fn of_proof(kind: &ProofKind) -> Self {
-        let (proof, details) = match *kind {
-            ProofKind::NetTooShort { needed } => ("net_too_short", Self::needing(needed)),
-            ProofKind::NetTooLong { most } => ("net_too_long", Self::needing(most)),
-            ProofKind::TooFewWaypoints { needed } => {
-                ("too_few_waypoints", Self::needing(needed as f64))
-            }
-            ProofKind::WayCut { place, width } => (
-                "way_cut",
-                Self {
-                    gap: Some(width),
-                    ..Self::at(Some(place))
-                },
-            ),
-            ProofKind::ObjectTooWide { object, needed } => (
-                "object_too_wide",
-                Self {
-                    object: Some(object),
-                    ..Self::needing(needed)
-                },
-            ),
-            ProofKind::ObjectEnclosed { object } => (
-                "object_enclosed",
-                Self {
-                    object: Some(object),
-                    ..Self::default()
-                },
-            ),
-            ProofKind::ObjectAtEdge { object, gap } => {
-                ("object_at_edge", Self::beside(object, gap))
-            }
-            ProofKind::ObjectPinned { object, gap } => ("object_pinned", Self::beside(object, gap)),
-            _ => ("other", Self::default()),
-        };
-        Self {
-            proof: Some(proof),
-            ..details
-        }
-    }
-
-    fn needing(amount: f64) -> Self {
-        Self {
-            needed: Some(amount),
-            ..Self::default()
-        }
-    }
-
-    fn beside(object: usize, gap: f64) -> Self {
-        Self {
-            object: Some(object),
-            gap: Some(gap),
-            ..Self::default()
-        }
-    }
 }
 
 /// What a command that failed prints with `--json`.
@@ -265,25 +148,9 @@ impl From<PlanError> for Failure {
             PlanError::NoPlan { .. } | PlanError::TimeLimit { .. } => Exit::NoPlan,
             PlanError::Interrupted => Exit::Interrupted,
         };
-        let details = match &error {
-            PlanError::NoPlan(missing) => Details {
-                claim: missing.claim().map(|claim| claim.id.name()),
-                step: missing.claim().and_then(|claim| claim.step),
-                margin: missing.claim().map(|claim| claim.margin),
-                ..Details::at(missing.place())
-            },
-            PlanError::Infeasible(infeasible) => (infeasible.proofs.first())
-                .map_or_else(Details::default, |proof| Details::of_proof(&proof.kind)),
-            PlanError::TimeLimit { limit, stage } => Details {
-                limit: Some(*limit),
-                stage: Some(stage.name().to_owned()),
-                ..Details::default()
-            },
-            _ => Details::default(),
-        };
         Self {
             help: error.remedy(),
-            details: Box::new(details),
+            details: Box::new(Details::of(&error)),
             ..Self::new(exit, error.to_string())
         }
     }

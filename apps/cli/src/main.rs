@@ -2,6 +2,7 @@
 
 mod arguments;
 mod commands;
+mod details;
 mod earlier;
 mod exit;
 mod failure;

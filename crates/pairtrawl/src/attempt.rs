@@ -235,6 +235,11 @@ impl Attempt {
         self.warnings.push(Warning::OtherStart { failed, start });
     }
 
+    /// The same as the picture of a search that failed needs it: it is no plan and names no scene.
+    pub fn into_no_plan(self, course: &Course, record: Option<&RehearsalRecord>) -> Plan {
+        self.into_plan(course, &SceneReference::default(), record)
+    }
+
     /// The plan that it becomes, with every claim of its file and the verdict of its rehearsal.
     pub fn into_plan(
         mut self,

@@ -32,8 +32,7 @@ impl CommonStart {
         run: &mut Run,
     ) -> Result<(Prepared<'a>, Self), PlanError> {
         let prepared = prepare(scene, open, run)?;
-        let start = (starts(&prepared, run)?.into_iter().next())
-            .ok_or(PlanError::NoPlan(NoPlan::NoStart))?;
+        let start = (starts(&prepared, run)?.into_iter().next()).ok_or(NoPlan::NoStart)?;
         let centerline = run
             .stage(Stage::Centerline, || start.centerline(&prepared))?
             .map_err(|error| prepared.route_error(error))?;

@@ -1,4 +1,5 @@
 use crate::infeasible::Infeasible;
+use crate::not_found::NotFound;
 use crate::observer::Stage;
 use pairtrawl_execution::ExecutionError;
 use pairtrawl_geometry::Point;
@@ -19,7 +20,7 @@ pub enum PlanError {
     Infeasible(Infeasible),
     /// No certified plan was found within the budget. That is no proof that there is none.
     #[error("no certified plan found: {0}")]
-    NoPlan(NoPlan),
+    NoPlan(Box<NotFound>),
     /// The time limit ran out.
     #[error("the time limit of {limit} s ran out in the stage {}", stage.name())]
     TimeLimit {
@@ -89,7 +90,7 @@ impl PlanError {
     /// What would help, when the message does not say so itself.
     pub fn remedy(&self) -> Option<String> {
         match self {
-            Self::NoPlan(missing) => missing.remedy(),
+            Self::NoPlan(not_found) => not_found.remedy(),
             Self::TimeLimit { .. } => Some("give more time, or fewer waypoints".to_owned()),
             Self::Infeasible(infeasible) => infeasible.remedy(),
             Self::BadInput(_) | Self::Interrupted => None,
@@ -217,7 +218,7 @@ impl From<ExecutionError> for PlanError {
 
 impl From<ReferenceError> for PlanError {
     fn from(error: ReferenceError) -> Self {
-        Self::NoPlan(NoPlan::NoReference(error))
+        NoPlan::NoReference(error).into()
     }
 }
 
@@ -225,7 +226,7 @@ impl From<RouteError> for PlanError {
     fn from(error: RouteError) -> Self {
         match error {
             RouteError::NoPath { .. } | RouteError::SearchLimit { .. } => {
-                Self::NoPlan(NoPlan::NoRoute(error))
+                NoPlan::NoRoute(error).into()
             }
             RouteError::BadOrder { .. }
             | RouteError::BadCenterline { .. }

@@ -5,6 +5,7 @@
 
 use crate::attempt::{Attempt, Course, Origin};
 use crate::error::{NoPlan, PlanError};
+use crate::not_found::{NotFound, Tried};
 use crate::observer::{Observer, Stage};
 use crate::options::{PlanOptions, RehearsalMode};
 use crate::prepare::{Prepared, prepare};
@@ -49,7 +50,8 @@ pub(crate) fn from_nothing(
     let starts = starts(prepared, &mut run)?;
 
     // The best start comes first; the others are tried only while no certified plan is found.
-    let mut refused = None;
+    let mut refused: Option<Box<NotFound>> = None;
+    let mut tried = Vec::new();
     for (failed, start) in starts.iter().enumerate() {
         let course = Course::new(prepared, &start.order);
         let line = run.stage(Stage::Centerline, || start.centerline(prepared))?;
@@ -70,14 +72,25 @@ pub(crate) fn from_nothing(
                     stages: run.stages,
                 });
             }
-            Err(error @ PlanError::NoPlan(_)) => {
-                refused.get_or_insert(error);
+            Err(PlanError::NoPlan(not_found)) => {
+                tried.push(Tried {
+                    start: start.name(),
+                    missing: not_found.missing.clone(),
+                });
+                if (refused.as_ref()).is_none_or(|best| not_found.is_better_than(best)) {
+                    refused = Some(not_found);
+                }
                 run.round += 1;
             }
             Err(error) => return Err(error),
         }
     }
-    Err(refused.unwrap_or(PlanError::NoPlan(NoPlan::NoStart)))
+    let mut refused = refused.unwrap_or_else(|| Box::new(NoPlan::NoStart.into()));
+    refused.tried = tried;
+    if let Some(best) = &mut refused.best {
+        best.scene = reference.clone();
+    }
+    Err(PlanError::NoPlan(refused))
 }
 
 /// A certified attempt, and its rehearsal unless that is to be skipped. One whose rehearsal fails is made again with more
@@ -119,11 +132,15 @@ pub(crate) fn rehearsed(
     }
     match (&record.verdict, options.rehearsal) {
         (Rehearsal::Failed { event, time, place }, RehearsalMode::Require) => {
-            Err(PlanError::NoPlan(NoPlan::RehearsalFails {
+            let missing = NoPlan::RehearsalFails {
                 event: event.clone(),
                 time: *time,
                 place: *place,
-            }))
+            };
+            Err(PlanError::NoPlan(Box::new(NotFound {
+                best: Some(Box::new(best.into_no_plan(course, Some(&record)))),
+                ..missing.into()
+            })))
         }
         _ => Ok((best, Some(record))),
     }
@@ -152,6 +169,12 @@ pub(crate) fn certified(
     }
     match best.worst() {
         None => Ok(best),
-        Some(worst) => Err(PlanError::NoPlan(course.no_plan(&best, worst))),
+        Some(worst) => {
+            let missing = course.no_plan(&best, worst);
+            Err(PlanError::NoPlan(Box::new(NotFound {
+                best: Some(Box::new(best.into_no_plan(course, None))),
+                ..missing.into()
+            })))
+        }
     }
 }

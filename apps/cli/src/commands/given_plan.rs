@@ -1,7 +1,8 @@
 //! The plan that a command drives: read from a file, or made first.
 
+use crate::details::Details;
 use crate::exit::Exit;
-use crate::failure::{Details, Failure};
+use crate::failure::Failure;
 use crate::progress::Progress;
 use pairtrawl::files::{LoadedScene, read_plan};
 use pairtrawl::model::{Claim, Plan, Warning};

@@ -86,5 +86,21 @@ pub enum ProofKind {
     },
 }
 
+impl ProofKind {
+    /// The name in files.
+    pub const fn name(&self) -> &'static str {
+        match self {
+            Self::NetTooShort { .. } => "net_too_short",
+            Self::NetTooLong { .. } => "net_too_long",
+            Self::TooFewWaypoints { .. } => "too_few_waypoints",
+            Self::WayCut { .. } => "way_cut",
+            Self::ObjectTooWide { .. } => "object_too_wide",
+            Self::ObjectEnclosed { .. } => "object_enclosed",
+            Self::ObjectAtEdge { .. } => "object_at_edge",
+            Self::ObjectPinned { .. } => "object_pinned",
+        }
+    }
+}
+
 /// What is not yet settled below this much is left open, m: the endpoints' tolerance and the rounding of distances.
 pub(super) const CAUTION: f64 = 1e-5;
