@@ -35,11 +35,13 @@ pub enum ClaimId {
     NetReach,
     /// Axle centers stay inside the area.
     InsideArea,
+    /// The robots' bodies do not overlap. Only of robots with a body: `Separation` says it of the others.
+    RobotsApart,
 }
 
 impl ClaimId {
     /// All claims, in the order of the file format.
-    pub const ALL: [Self; 16] = [
+    pub const ALL: [Self; 17] = [
         Self::Scene,
         Self::NetLength,
         Self::Endpoints,
@@ -56,6 +58,7 @@ impl ClaimId {
         Self::Separation,
         Self::NetReach,
         Self::InsideArea,
+        Self::RobotsApart,
     ];
 
     /// The name in the file format.
@@ -77,6 +80,7 @@ impl ClaimId {
             Self::Separation => "separation",
             Self::NetReach => "net_reach",
             Self::InsideArea => "inside_area",
+            Self::RobotsApart => "robots_apart",
         }
     }
 
@@ -97,7 +101,8 @@ impl ClaimId {
             | Self::EveryObjectCovered
             | Self::Separation
             | Self::NetReach
-            | Self::InsideArea => "m",
+            | Self::InsideArea
+            | Self::RobotsApart => "m",
         }
     }
 
@@ -120,6 +125,7 @@ impl ClaimId {
             Self::Separation => "robots neither touch nor overstretch the net",
             Self::NetReach => "the net reaches from hitch to hitch",
             Self::InsideArea => "robot centers stay inside the area",
+            Self::RobotsApart => "the robots' bodies do not touch each other",
         }
     }
 
@@ -138,10 +144,13 @@ impl ClaimId {
                 "raise planner.max_skew, or give ends at which the robots stand abreast"
             }
             Self::RobotClearance | Self::NetEnclosesNoObstacle | Self::InsideArea => {
-                "widen the passage there, or lower robot.radius if the robot is smaller"
+                "widen the passage there, or lower robot.radius or give robot.body if the robot is smaller"
             }
             Self::RobotsMissObjects | Self::EveryObjectCovered => {
                 "give a longer net, another order (--order given), or move the object away from obstacles"
+            }
+            Self::RobotsApart => {
+                "give ends at which the robots stand farther apart, or a body of circles that fit the robot more closely"
             }
             Self::Separation | Self::NetReach => {
                 "give a longer net (--net-length auto finds one), or ends closer together"
@@ -163,7 +172,7 @@ mod tests {
     #[test]
     fn all_lists_every_claim_in_order() {
         assert!(ClaimId::ALL.is_sorted());
-        assert_eq!(ClaimId::ALL[15], ClaimId::InsideArea);
+        assert_eq!(ClaimId::ALL[16], ClaimId::RobotsApart);
         let mut names = ClaimId::ALL.map(ClaimId::name);
         names.sort_unstable();
         assert!(names.windows(2).all(|w| w[0] != w[1]));

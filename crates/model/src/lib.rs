@@ -3,6 +3,7 @@
 //!
 //! SI units and radians; map frame of REP-103. `left` and `right` are as seen by someone who walks behind the pair.
 
+mod body;
 mod certificate;
 mod claim_id;
 mod cost;
@@ -12,6 +13,7 @@ pub mod numbers;
 mod parameters;
 mod physics;
 mod plan;
+mod preset;
 mod rehearsal;
 mod scales;
 mod scene;
@@ -22,6 +24,7 @@ mod trajectory;
 mod units;
 mod warning;
 
+pub use body::{Body, BodyCircle};
 pub use certificate::{Certificate, Claim};
 pub use claim_id::ClaimId;
 pub use cost::Cost;
@@ -33,6 +36,7 @@ pub use left_out::{Leave, LeftOut, LeftWhy};
 pub use parameters::PlannerParameters;
 pub use physics::PhysicsParameters;
 pub use plan::{Circle, Overrides, Plan, Rehearsal, SceneReference, SolverReport, SolverStatus};
+pub use preset::Preset;
 pub use rehearsal::{RehearsalEvent, RehearsalEventKind, RehearsalFrame, RehearsalRecord};
 pub use scales::Scales;
 pub use scene::{Area, Footprint, NetSpec, Object, Obstacle, OccupancyMap, PairPose, Robot, Scene};

@@ -1,4 +1,4 @@
-use crate::{PhysicsParameters, PlannerParameters, Side};
+use crate::{Body, BodyCircle, PhysicsParameters, PlannerParameters, Side};
 use pairtrawl_geometry::{Point, Pose};
 
 /// Everything that a run is planned from.
@@ -177,7 +177,8 @@ impl PairPose {
     schemars(default, deny_unknown_fields)
 )]
 pub struct Robot {
-    /// Radius of the circle around the axle center that contains the robot, m.
+    /// Radius of the circle around the axle center that contains the robot, m. With a body it only tells the size of the
+    /// machine.
     pub radius: f64,
     /// The net is tied this far behind the axle center, m.
     pub hitch: f64,
@@ -187,6 +188,14 @@ pub struct Robot {
     pub omega_max: f64,
     /// Half the distance between the wheels, R, m.
     pub half_track: f64,
+    /// Circles that contain the machine, each x forward of and y to the left of the axle center, then its radius, m; left
+    /// out: one of `radius` around the axle center.
+    #[cfg_attr(feature = "serde", serde(skip_serializing_if = "Option::is_none"))]
+    #[cfg_attr(
+        feature = "schema",
+        schemars(with = "Option<Vec<[f64; 3]>>", length(min = 1, max = 16))
+    )]
+    pub body: Option<Body>,
 }
 
 impl Default for Robot {
@@ -197,6 +206,35 @@ impl Default for Robot {
             v_max: 0.26,
             omega_max: 1.82,
             half_track: 0.144,
+            body: None,
+        }
+    }
+}
+
+impl Robot {
+    /// The circles that contain the machine: those of its body, or the one of its radius.
+    pub fn circles(&self) -> Body {
+        let disc = || Body::circle(BodyCircle::around_reference(self.radius));
+        self.body.unwrap_or_else(disc)
+    }
+
+    /// The same robot with this body; its radius becomes that of the smallest circle around the axle center that contains
+    /// the body.
+    #[must_use]
+    pub fn with_body(self, body: Body) -> Self {
+        Self {
+            radius: body.reach(),
+            body: Some(body),
+            ..self
+        }
+    }
+
+    /// The distance that the claim `separation` keeps between the axle centers for the robots' sake, m: two radii, or 0
+    /// where the claim `robots_apart` keeps the bodies apart.
+    pub fn least_separation(&self) -> f64 {
+        match self.body {
+            None => 2.0 * self.radius,
+            Some(_) => 0.0,
         }
     }
 }

@@ -1,6 +1,6 @@
 use crate::{
-    Area, Footprint, NetSpec, Object, Obstacle, OccupancyMap, PairPose, PhysicsParameters,
-    PlannerParameters, Robot, Scene,
+    Area, BodyCircle, Footprint, NetSpec, Object, Obstacle, OccupancyMap, PairPose,
+    PhysicsParameters, PlannerParameters, Robot, Scene,
 };
 use pairtrawl_geometry::{Point, Pose};
 
@@ -100,6 +100,10 @@ impl Units {
                 radius: length(*radius),
             },
         };
+        let circle = |circle: BodyCircle| BodyCircle {
+            center: point(circle.center),
+            radius: length(circle.radius),
+        };
         let object = |object: &Object| Object {
             position: point(object.position),
             footprint: match object.footprint {
@@ -131,6 +135,7 @@ impl Units {
                 v_max: tidy(robot.v_max / self.speed()),
                 omega_max: tidy(robot.omega_max * time),
                 half_track: length(robot.half_track),
+                body: robot.body.map(|body| body.map(circle)),
             },
             net: NetSpec {
                 length: net.length.map(length),

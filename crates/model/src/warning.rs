@@ -80,6 +80,13 @@ pub enum Warning {
         /// `robot.v_max`, m/s.
         v_max: f64,
     },
+    /// A key of the scene says nothing, because another one does.
+    Unused {
+        /// The key.
+        key: &'static str,
+        /// What counts instead.
+        instead: &'static str,
+    },
     /// A warning about a file.
     InFile {
         /// Its path.
@@ -185,6 +192,12 @@ impl fmt::Display for Warning {
                 numbers::speed(*v_max),
                 v_max / cruise
             ),
+            Self::Unused { key, instead } => {
+                write!(
+                    f,
+                    "{key} is not used, because {instead} gives the same: leave it out"
+                )
+            }
             Self::InFile { file, warning } => write!(f, "{file}: {warning}"),
             Self::Stated(words) => f.write_str(words),
         }

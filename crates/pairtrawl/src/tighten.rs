@@ -92,7 +92,7 @@ impl Tightening {
                     next.net_clearance += more;
                     next.sag += more.min(MOST_SAG);
                 }
-                ClaimId::Separation => next.separation += more,
+                ClaimId::Separation | ClaimId::RobotsApart => next.separation += more,
                 ClaimId::NetReach => next.net_reach += more,
                 ClaimId::Abreast => next.skew += more,
                 ClaimId::InsideArea => next.area += more,

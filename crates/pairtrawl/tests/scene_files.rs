@@ -118,7 +118,8 @@ fn every_parameter_can_be_set() {
             hitch: 0.0,
             v_max: 0.3,
             omega_max: 2.0,
-            half_track: 0.1
+            half_track: 0.1,
+            body: None,
         }
     );
     assert_eq!(
