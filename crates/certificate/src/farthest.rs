@@ -21,7 +21,7 @@ pub(crate) fn greatest_distance(
     let (from, to) = (at_end(stretch.from), at_end(stretch.to));
     let (ends, place) = if to.0 > from.0 { to } else { from };
     let bows: f64 = Side::BOTH
-        .map(|side| stretch.bow_behind(side, behind))
+        .map(|side| stretch.bow_off_axle(side, behind))
         .iter()
         .sum();
     if ends + bows <= enough {

@@ -10,7 +10,9 @@
 //! reading, an eighth of the greatest |p''| on the smooth curve, whose speed and turning rate are polynomials with exact
 //! bounds. Stretches whose bound is below the least margin so far are halved until it is close. With even motion:
 //!
-//! - robots against obstacles and objects: exact distances of segments from polygons, discs and map cells;
+//! - robots against obstacles and objects: exact distances of segments from polygons, discs and map cells, for the center of
+//!   every circle of a body, which strays from even motion by what turning adds as well;
+//! - robots against each other: the nearest point to the origin of the segment that the vector between two centers traces;
 //! - the swept net: convex hulls of the four points of a stretch against the same shapes; touching is allowed, overlap by
 //!   more than 1e-9 m is not;
 //! - coverage: the quadratic in time at which the line between the robots passes over an object's center; on the smooth
@@ -51,7 +53,7 @@ use subject::Subject;
 /// Judges two trajectories against a scene with a net of this length (d_max, m): with poses linear between waypoints, and on
 /// the smooth curve as well when the pair drives along a reference of these trajectories.
 ///
-/// The claims stand in the order of the file format, from `endpoints` to `net_reach`, then `inside_area`; `scene` and
+/// The claims stand in the order of the file format, from `endpoints` to `net_reach`, then `inside_area`, and `robots_apart` for robots with a body; `scene` and
 /// `net_length` concern files, see [`scene_claim`] and [`net_length_claim`]. A margin is `INFINITY` where there is
 /// nothing to hold the plan against (no obstacle, no object) and `NEG_INFINITY` where the input cannot be judged.
 pub fn certify(
@@ -61,12 +63,10 @@ pub fn certify(
     reference: Option<&Reference>,
 ) -> Certificate {
     let claims = match Subject::new(scene, net_length, trajectory, reference) {
-        Ok(subject) => claims::ALL
-            .iter()
+        Ok(subject) => claims::of(&scene.robot)
             .map(|claim| (claim.judge)(&subject).into_claim(claim.id, claim.tolerance))
             .collect(),
-        Err(fault) => claims::ALL
-            .iter()
+        Err(fault) => claims::of(&scene.robot)
             .map(|claim| fault.clone().into_claim(claim.id, claim.tolerance))
             .collect(),
     };

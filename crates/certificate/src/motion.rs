@@ -1,5 +1,5 @@
 use pairtrawl_geometry::{Bounds, Point, Pose};
-use pairtrawl_model::{PairTrajectory, Scales, Scene, Side};
+use pairtrawl_model::{BodyCircle, PairTrajectory, Scales, Scene, Side};
 use pairtrawl_reference::Reference;
 
 /// How the motion between waypoints is read.
@@ -65,10 +65,18 @@ impl Stretch {
         self.bend[side.index()].rate_slope / 8.0
     }
 
-    /// How far the point that lies `behind` m behind the axle may be from even motion between the ends, m.
-    pub(crate) fn bow_behind(&self, side: Side, behind: f64) -> f64 {
+    /// How far a point of the robot that is `offset` m away from the axle center, in whatever direction, may be from even
+    /// motion between the ends, m.
+    pub(crate) fn bow_off_axle(&self, side: Side, offset: f64) -> f64 {
         let b = &self.bend[side.index()];
-        self.bow(side) + behind.abs() * Point::new(b.rate_slope, b.rate * b.rate).norm() / 8.0
+        self.bow(side) + offset.abs() * Point::new(b.rate_slope, b.rate * b.rate).norm() / 8.0
+    }
+
+    /// The center of a circle of a robot's body at the beginning and at the end, and how far it may be from even motion
+    /// between them, m.
+    pub(crate) fn path_of(&self, side: Side, circle: &BodyCircle) -> ([Point; 2], f64) {
+        let ends = [self.from, self.to].map(|pair| circle.center_at(pair[side.index()]));
+        (ends, self.bow_off_axle(side, circle.offset()))
     }
 
     /// Bound of the third derivative of that point, m.

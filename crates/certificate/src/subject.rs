@@ -3,7 +3,7 @@ use crate::motion::{Reading, Stretch};
 use crate::obstacles::Obstacles;
 use crate::tightest::Tightest;
 use pairtrawl_geometry::Pose;
-use pairtrawl_model::{PairTrajectory, Scene, Side};
+use pairtrawl_model::{Body, BodyCircle, PairTrajectory, Scene, Side};
 use pairtrawl_reference::Reference;
 
 /// What is judged: at least two waypoints per robot, equally many, all finite and within bounds.
@@ -11,6 +11,8 @@ pub(crate) struct Subject<'a> {
     pub(crate) scene: &'a Scene,
     pub(crate) net_length: f64,
     pub(crate) trajectory: &'a PairTrajectory,
+    /// The circles that contain a robot.
+    pub(crate) body: Body,
     /// How the motion is read, each with its steps: linear first, then the smooth curve when there is one.
     pub(crate) readings: Vec<(Reading<'a>, Vec<Stretch>)>,
     /// `Err` says what is malformed.
@@ -66,10 +68,24 @@ impl<'a> Subject<'a> {
             );
             return Err(Tightest::unusable(None, reason));
         }
+        let body = robot.circles();
+        let malformed = |c: &BodyCircle| {
+            let finite = c.center.is_finite() && c.radius.is_finite();
+            !(finite && c.radius > 0.0 && c.offset() <= COORDINATE_LIMIT)
+        };
+        if let Some(i) = body.circles().iter().position(malformed) {
+            let BodyCircle { center, radius } = body.circles()[i];
+            let reason = format!(
+                "circle {i} of the robot's body, at ({}, {}) with radius {radius} m, must be finite and its radius positive",
+                center.x, center.y
+            );
+            return Err(Tightest::unusable(None, reason));
+        }
         Ok(Self {
             scene,
             net_length,
             trajectory,
+            body,
             readings: std::iter::once(Reading::Linear(trajectory))
                 .chain(reference.map(Reading::Smooth))
                 .map(|reading| (reading, reading.steps()))
@@ -86,6 +102,29 @@ impl<'a> Subject<'a> {
     /// True when the plan is driven along its reference.
     pub(crate) fn is_driven(&self) -> bool {
         self.readings.len() > 1
+    }
+
+    /// Both robots with every circle of their bodies, and what to call it.
+    pub(crate) fn circles(&self) -> impl Iterator<Item = (Side, BodyCircle, String)> + '_ {
+        let with_body = self.scene.robot.body.is_some();
+        let circles = |side: Side| {
+            self.body
+                .circles()
+                .iter()
+                .enumerate()
+                .map(move |c| (side, c))
+        };
+        Side::BOTH
+            .into_iter()
+            .flat_map(circles)
+            .map(move |(side, (i, circle))| {
+                let name = if with_body {
+                    format!("circle {i} of the {side}'s body")
+                } else {
+                    side.to_string()
+                };
+                (side, *circle, name)
+            })
     }
 
     /// Both robots with their poses.

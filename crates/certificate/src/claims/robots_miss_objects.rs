@@ -2,16 +2,14 @@ use crate::search::{Bound, least};
 use crate::subject::Subject;
 use crate::tightest::Tightest;
 use pairtrawl_geometry::{Bounds, Segment};
-use pairtrawl_model::Side;
 use pairtrawl_model::numbers::length;
 
-/// Each path keeps at least the robot radius from every object's footprint circle; margin in m.
+/// Every circle of each robot's body keeps off every object's footprint circle; margin in m.
 pub(super) fn judge(subject: &Subject<'_>) -> Tightest {
-    let radius = subject.scene.robot.radius;
     let mut tightest = Tightest::new();
     for (j, object) in subject.scene.objects.iter().enumerate() {
-        let reach = object.footprint_radius() + radius;
-        if !(object.position.is_finite() && reach.is_finite()) {
+        let footprint = object.footprint_radius();
+        if !(object.position.is_finite() && footprint.is_finite()) {
             return Tightest::unusable(
                 None,
                 format!("object {j} has a position or size that is not finite"),
@@ -19,23 +17,27 @@ pub(super) fn judge(subject: &Subject<'_>) -> Tightest {
         }
         let center = Bounds::of(&[object.position]);
         for (reading, steps) in &subject.readings {
-            for side in Side::BOTH {
+            for (side, circle, name) in subject.circles() {
+                let (radius, offset) = (circle.radius, circle.offset());
+                let reach = footprint + radius;
                 least(reading, steps, &mut tightest, |stretch, so_far| {
-                    let slack = stretch.bow(side);
-                    let [a, b] =
+                    // Where the axle is tells most of the time: it is near the circle.
+                    let axles =
                         [stretch.from, stretch.to].map(|pair| pair[side.index()].position());
-                    if Bounds::of(&[a, b]).distance(&center) - reach - slack >= so_far {
+                    let away = Bounds::of(&axles).distance(&center) - offset;
+                    if away - reach - stretch.bow_off_axle(side, offset) >= so_far {
                         return None;
                     }
+                    let ([a, b], slack) = stretch.path_of(side, &circle);
                     let gap = Segment::new(a, b).gap_to_disc(object.position, reach);
-                    let margin = gap.distance - slack;
+                    let (margin, name) = (gap.distance - slack, &name);
                     Some(Bound {
                         margin,
                         slack,
                         place: gap.place,
                         detail: move || {
                             format!(
-                                "{side}, {} from the footprint circle of object {j}, radius {}",
+                                "{name}, {} from the footprint circle of object {j}, radius {}",
                                 length(margin + radius),
                                 length(radius)
                             )

@@ -21,7 +21,7 @@ pub(super) fn judge(subject: &Subject<'_>) -> Tightest {
             format!("the net length {greatest} m is not a positive number"),
         );
     }
-    let least_distance = (MIN_RATIO * greatest).max(2.0 * subject.scene.robot.radius);
+    let least_distance = (MIN_RATIO * greatest).max(subject.scene.robot.least_separation());
     let mut tightest = Tightest::new();
     for (reading, steps) in &subject.readings {
         least(reading, steps, &mut tightest, |stretch, _| {
