@@ -1,8 +1,8 @@
 use crate::block::Block;
-use crate::constraints::{LineRules, PairRules, PointRules, StepRules};
+use crate::constraints::{BodyRules, LineRules, PairRules, PointRules, StepRules};
 use crate::row::Row;
 use crate::step::Step;
-use crate::term::{PAIR, POINT, QUAD, STEP};
+use crate::term::{PAIR, POINT, POSE, QUAD, STEP};
 
 /// All rows in play: those of every step and of the pair, and those of objects and obstacles nearby, which are looked up
 /// again as the trajectories move.
@@ -11,6 +11,7 @@ pub(crate) struct ActiveSet {
     pub steps: Block<StepRules, STEP>,
     pub pairs: Block<PairRules, PAIR>,
     pub points: Block<PointRules, POINT>,
+    pub bodies: Block<BodyRules, POSE>,
     pub lines: Block<LineRules, QUAD>,
     /// Every robot-step, at the iterate or at the last trial point.
     pub frames: Vec<Step>,
@@ -25,6 +26,7 @@ impl ActiveSet {
             .rows_mut()
             .chain(self.pairs.rows_mut())
             .chain(self.points.rows_mut())
+            .chain(self.bodies.rows_mut())
             .chain(self.lines.rows_mut())
     }
 }

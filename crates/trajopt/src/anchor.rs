@@ -5,7 +5,7 @@ use crate::iterate::{Direction, Iterate};
 use crate::local::Local;
 use crate::step::{Coordinate, Step};
 use crate::system::{StepDerivatives, System, Variable};
-use crate::term::{PAIR, POINT, QUAD, STEP};
+use crate::term::{PAIR, POINT, POSE, QUAD, STEP};
 use pairtrawl_geometry::Point;
 use pairtrawl_model::Side;
 use std::fmt::Debug;
@@ -35,6 +35,10 @@ pub(crate) struct PairAt(pub u32);
 /// A robot's axle center at a waypoint: one number, since there are many of them.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
 pub(crate) struct PointAt(u32);
+
+/// A robot's pose at a waypoint: one number, as that of its axle center.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
+pub(crate) struct PoseAt(u32);
 
 /// The line between the robots over the step from a waypoint.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
@@ -68,6 +72,17 @@ impl StepAt {
 }
 
 impl PointAt {
+    pub fn new(stage: usize, robot: Side) -> Self {
+        Self((2 * stage + robot.index()) as u32)
+    }
+
+    #[inline]
+    pub fn robot(self) -> Side {
+        Side::BOTH[self.0 as usize % 2]
+    }
+}
+
+impl PoseAt {
     pub fn new(stage: usize, robot: Side) -> Self {
         Self((2 * stage + robot.index()) as u32)
     }
@@ -175,6 +190,35 @@ impl Anchor<POINT> for PointAt {
     fn change(self, direction: &Direction, _: &[Step]) -> [f64; POINT] {
         let (d, k) = (direction.stage(self.stage()), 3 * self.robot().index());
         [d[k], d[k + 1]]
+    }
+
+    fn location(self, x: &Iterate) -> Point {
+        x.position(self.stage(), self.robot())
+    }
+}
+
+impl Anchor<POSE> for PoseAt {
+    #[inline]
+    fn coordinates(self, x: &Iterate, _: &[Step]) -> [f64; POSE] {
+        x.pose(self.stage(), self.robot())
+    }
+
+    fn scatter(self, local: &Local<POSE>, _: &[Step], system: &mut System) {
+        if let Some(b) = system.base(self.stage()) {
+            let v = b + 3 * self.robot().index();
+            system.scatter(&[(v, 0, 1.0), (v + 1, 1, 1.0), (v + 2, 2, 1.0)], local);
+        }
+    }
+
+    #[inline]
+    fn stage(self) -> usize {
+        self.0 as usize / 2
+    }
+
+    #[inline]
+    fn change(self, direction: &Direction, _: &[Step]) -> [f64; POSE] {
+        let (d, k) = (direction.stage(self.stage()), 3 * self.robot().index());
+        std::array::from_fn(|v| d[k + v])
     }
 
     fn location(self, x: &Iterate) -> Point {

@@ -35,6 +35,11 @@ impl System {
         self.add_pairs(problem, x, set, mu);
         self.add_bends(problem, x);
         self.add_points(problem, x, set, mu);
+        for group in by_anchor(&mut set.bodies.items) {
+            let (at, mut local) = (group[0].at, Local::new());
+            add_rows(&mut local, group, problem, (x, &set.frames), mu);
+            at.scatter(&local, &set.frames, self);
+        }
         for group in by_anchor(&mut set.lines.items) {
             let (at, mut local) = (group[0].at, Local::new());
             add_rows(&mut local, group, problem, (x, &set.frames), mu);

@@ -29,7 +29,7 @@ pub fn evaluate(scene: &Scene, pair: &PairTrajectory, net_length: f64) -> Cost {
             cost.smoothness += bends.map(|(term, z)| term.value(z)).sum::<f64>();
         }
         for q in robot {
-            cost.obstacle += p.a3 * obstacle_cost(scene, q.position());
+            cost.obstacle += p.a3 * obstacle_cost(scene, *q);
         }
     }
     for (l, r) in pair.left.iter().zip(&pair.right) {

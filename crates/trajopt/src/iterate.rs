@@ -1,6 +1,6 @@
 //! The point that the solver moves: poses of both robots at every waypoint, and the net length.
 
-use crate::term::{PAIR, POINT, QUAD};
+use crate::term::{PAIR, POINT, POSE, QUAD};
 use pairtrawl_geometry::{Point, Pose};
 use pairtrawl_model::{PairTrajectory, Side};
 
@@ -70,6 +70,12 @@ impl Iterate {
     pub fn point(&self, i: usize, robot: Side) -> [f64; POINT] {
         let k = 3 * robot.index();
         [self.stages[i][k], self.stages[i][k + 1]]
+    }
+
+    #[inline]
+    pub fn pose(&self, i: usize, robot: Side) -> [f64; POSE] {
+        let k = 3 * robot.index();
+        std::array::from_fn(|v| self.stages[i][k + v])
     }
 
     /// The line between the robots at waypoints `i` and `i + 1`.

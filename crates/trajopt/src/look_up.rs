@@ -1,7 +1,7 @@
 //! Looks up the rows in play around an iterate.
 
 use crate::active::ActiveSet;
-use crate::anchor::{Anchor, LineAt, PairAt, PointAt, StepAt};
+use crate::anchor::{Anchor, LineAt, PairAt, PointAt, PoseAt, StepAt};
 use crate::block::Block;
 use crate::crossings::refresh_crossings;
 use crate::iterate::Iterate;
@@ -46,6 +46,14 @@ impl ActiveSet {
             (1..count - 1).flat_map(|stage| Side::BOTH.map(|robot| PointAt::new(stage, robot)));
         let of_lines = (0..count as u32 - 1).map(LineAt);
         let frames = &self.frames;
+        if problem.robot.body.is_some() {
+            // Circles of both bodies come near each other, or leave.
+            let of_pairs = (0..count as u32).map(PairAt);
+            look_up(&mut self.pairs, of_pairs, &mut sight, frames, beginning);
+            let of_bodies =
+                (1..count - 1).flat_map(|stage| Side::BOTH.map(|robot| PoseAt::new(stage, robot)));
+            look_up(&mut self.bodies, of_bodies, &mut sight, frames, beginning);
+        }
         look_up(&mut self.points, of_points, &mut sight, frames, beginning);
         look_up(&mut self.lines, of_lines, &mut sight, frames, beginning);
     }

@@ -36,6 +36,7 @@ impl ActiveSet {
         let turning = merit.elastic;
         self.pairs.add_to(&mut merit, problem, point, alpha);
         self.points.add_to(&mut merit, problem, point, alpha);
+        self.bodies.add_to(&mut merit, problem, point, alpha);
         self.lines.add_to(&mut merit, problem, point, alpha);
         merit.violation = merit.elastic - turning;
         merit

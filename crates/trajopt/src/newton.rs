@@ -128,6 +128,7 @@ impl Newton {
         self.recover_rows(&mut set.steps, frames, mu, part);
         self.recover_rows(&mut set.pairs, frames, mu, part);
         self.recover_rows(&mut set.points, frames, mu, part);
+        self.recover_rows(&mut set.bodies, frames, mu, part);
         self.recover_rows(&mut set.lines, frames, mu, part);
     }
 

@@ -2,7 +2,7 @@ use crate::own::{OwnTerm, OwnTerms, Role};
 use crate::pieces::PieceIndex;
 use crate::term::{PAIR, POINT, Term};
 use pairtrawl_geometry::{Convex, Point};
-use pairtrawl_model::{Area, PairPose, PlannerParameters, Robot, Scene, Side};
+use pairtrawl_model::{Area, Body, BodyCircle, PairPose, PlannerParameters, Robot, Scene, Side};
 use std::ops::Range;
 use std::sync::Arc;
 
@@ -21,11 +21,19 @@ pub struct Problem {
     pub area: Area,
     /// d_max, m; `None`: a variable.
     pub net_length: Option<f64>,
-    /// Object centers with the distance that axle centers keep from them (without the margin), m.
+    /// The circles that contain a robot.
+    pub(crate) body: Body,
+    /// Radius of the body's circle around the axle center, if it has one, m.
+    pub(crate) disc: Option<f64>,
+    /// The other circles of the body: their centers move when the robot turns.
+    pub(crate) circles: Vec<BodyCircle>,
+    /// How far the body extends to the side, m.
+    pub(crate) half_width: f64,
+    /// Object centers with the radii of their footprint circles, m.
     pub(crate) objects: Vec<(Point, f64)>,
     /// Which of them the line between the robots is to pass over: all but those that are left where they are.
     pub(crate) wanted: Vec<bool>,
-    /// The same as discs, to find those near a point.
+    /// The same as discs, enlarged by the largest circle of the body, to find those near a point.
     pub(crate) object_index: PieceIndex,
     /// Convex cover of the obstacles.
     pub(crate) pieces: PieceIndex,
@@ -82,21 +90,40 @@ const LEAST_REACH: f64 = 1.0;
 /// And this far beyond what robots keep from them and drive in a step.
 const AHEAD: f64 = 0.2;
 
+/// What a chord between two waypoints comes nearer to a corner than the waypoints do, m: that of a circle whose center is
+/// its radius away from the corner at both, and what turning adds to the way of a center that is off the axle.
+fn sag(body: &Body, planner: &PlannerParameters) -> f64 {
+    let of_circle = |c: &BodyCircle| {
+        let way = planner.max_step + c.offset() * planner.max_turn;
+        way * way / (8.0 * c.radius) + c.offset() * planner.max_turn * planner.max_turn / 8.0
+    };
+    body.circles().iter().map(of_circle).fold(0.0, f64::max)
+}
+
 impl Problem {
     /// The problem of a scene with a net of `net_length` (`None`: to be chosen) among convex obstacles.
     pub fn new(scene: &Scene, net_length: Option<f64>, obstacles: &[Convex]) -> Self {
         let robot = scene.robot;
+        let body = robot.circles();
+        let (centered, circles): (Vec<BodyCircle>, Vec<BodyCircle>) = body
+            .circles()
+            .iter()
+            .copied()
+            .partition(BodyCircle::is_centered);
+        let disc = centered.into_iter().map(|c| c.radius).reduce(f64::max);
+        let largest = body.largest_radius();
         let objects: Vec<(Point, f64)> = scene
             .objects
             .iter()
-            .map(|o| (o.position, o.footprint_radius() + robot.radius))
+            .map(|o| (o.position, o.footprint_radius()))
             .collect();
-        let discs: Vec<Convex> = objects
-            .iter()
-            .map(|&(center, radius)| Convex::Circle { center, radius })
-            .collect();
+        let kept_off = |&(center, footprint): &(Point, f64)| Convex::Circle {
+            center,
+            radius: footprint + largest,
+        };
+        let discs: Vec<Convex> = objects.iter().map(kept_off).collect();
         // Twice what is kept, since more may be asked for after a failure, and what lies ahead.
-        let kept = robot.radius + scene.planner.clearance;
+        let kept = largest + scene.planner.clearance;
         let reach = (2.0 * kept + scene.planner.max_step + AHEAD).max(LEAST_REACH);
         Self {
             start: scene.start,
@@ -106,13 +133,17 @@ impl Problem {
             area: scene.area,
             net_length,
             object_index: PieceIndex::new(&discs, &scene.area, reach),
+            body,
+            disc,
+            circles,
+            half_width: body.half_width(),
             objects,
             wanted: scene.objects.iter().map(|object| !object.leave).collect(),
             pieces: PieceIndex::new(obstacles, &scene.area, reach),
             reserve: Reserve {
                 clearance: scene.planner.clearance,
                 net_clearance: scene.planner.clearance,
-                sag: 1.4 * scene.planner.max_step * scene.planner.max_step / (8.0 * robot.radius),
+                sag: 1.4 * sag(&body, &scene.planner),
                 separation: 1e-3,
                 greatest_separation: 1e-6,
                 net_reach: 5e-4,

@@ -101,6 +101,7 @@ impl System {
             self.reinforce_rows(&mut set.steps, frames, mu, &stage),
             self.reinforce_rows(&mut set.pairs, frames, mu, &stage),
             self.reinforce_rows(&mut set.points, frames, mu, &stage),
+            self.reinforce_rows(&mut set.bodies, frames, mu, &stage),
             self.reinforce_rows(&mut set.lines, frames, mu, &stage),
         ];
         raised.contains(&true)

@@ -72,6 +72,7 @@ pub(crate) fn shortfalls(problem: &Problem, state: &State) -> Shortfalls {
     found.judge_rows(&set.steps, problem, x);
     found.judge_rows(&set.pairs, problem, x);
     found.judge_rows(&set.points, problem, x);
+    found.judge_rows(&set.bodies, problem, x);
     found.judge_rows(&set.lines, problem, x);
     let violations = &mut found.violations;
     violations.sort_by(|a, b| b.amount.total_cmp(&a.amount));

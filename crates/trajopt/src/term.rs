@@ -84,6 +84,8 @@ impl<const K: usize, T: Term<K> + ?Sized> Term<K> for &T {
 pub const PAIR: usize = 5;
 /// Local coordinates of one robot at one waypoint: `x, y`, m.
 pub const POINT: usize = 2;
+/// Local coordinates of one robot's pose at one waypoint: `x, y`, m, `phi`, rad.
+pub const POSE: usize = 3;
 /// Local coordinates of the line between the robots at both ends of a step: `lx, ly, rx, ry`, then those of the next waypoint, m.
 pub const QUAD: usize = 8;
 /// Local coordinate of one robot over one step: the way along its mid-step heading, m, or the turn, rad.

@@ -47,7 +47,8 @@ impl Rule<PointAt, POINT> for BesideObject {
         let (l, r) = (x.position(i, Side::Left), x.position(i, Side::Right));
         let out = (l - r) / l.distance(r) * at.robot().sign();
         for object in sight.crossed(i) {
-            let (center, keep) = sight.problem.objects[object as usize];
+            let (center, footprint) = sight.problem.objects[object as usize];
+            let keep = footprint + sight.problem.half_width;
             let plane = HalfPlane {
                 normal: out.into(),
                 offset: out.dot(center) + 0.9 * keep,

@@ -1,6 +1,9 @@
 //! Constraints `c >= 0` in local coordinates, one file each, and the lists in which the solver finds them.
 
 pub(crate) mod abreast;
+pub(crate) mod bodies_apart;
+pub(crate) mod body_distance;
+pub(crate) mod carried;
 pub(crate) mod half_plane;
 pub(crate) mod net_reach;
 pub(crate) mod own;
@@ -9,10 +12,12 @@ pub(crate) mod quad_distance;
 pub(crate) mod separation;
 pub(crate) mod step_bounds;
 
-use crate::anchor::{LineAt, PairAt, PointAt, StepAt};
+use crate::anchor::{LineAt, PairAt, PointAt, PoseAt, StepAt};
 use crate::costs::turning::TurnCost;
-use crate::term::{PAIR, POINT, QUAD, STEP};
+use crate::term::{PAIR, POINT, POSE, QUAD, STEP};
 use abreast::KeepAbreast;
+use bodies_apart::BodiesApart;
+use body_distance::{BodyOffObject, BodyOffObstacle};
 use half_plane::{BesideObject, InsideArea};
 use net_reach::HitchesWithinReach;
 use own::{OwnPair, OwnPoint};
@@ -38,6 +43,7 @@ rules! {
     HitchesWithinReach,
     KeepAbreast,
     OwnPair,
+    BodiesApart,
 }
 
 rules! {
@@ -48,6 +54,13 @@ rules! {
     BesideObject,
     InsideArea,
     OwnPoint,
+}
+
+rules! {
+    /// Of one robot's pose at one waypoint: circles of its body that are off the axle.
+    BodyRules at PoseAt, POSE;
+    BodyOffObject,
+    BodyOffObstacle,
 }
 
 rules! {

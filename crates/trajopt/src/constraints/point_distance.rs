@@ -8,7 +8,7 @@ use crate::tier::Tier;
 use pairtrawl_geometry::Point;
 use pairtrawl_model::ClaimId;
 
-/// A robot's axle center keeps `keep` from a convex region: signed distance minus `keep`.
+/// A point keeps `keep` from a convex region: signed distance minus `keep`.
 pub struct PointDistance<'a> {
     /// The region.
     pub region: &'a Piece,
@@ -16,7 +16,7 @@ pub struct PointDistance<'a> {
     pub keep: f64,
 }
 
-/// A robot's axle center keeps `keep` from a point.
+/// A point keeps `keep` from another one.
 pub struct CenterDistance {
     /// The point.
     pub center: Point,
@@ -138,21 +138,20 @@ impl Term<POINT> for PointDistance<'_> {
     }
 }
 
-/// A robot near an object, from which it keeps.
+/// The circle around a robot's axle center near an object, from which it keeps.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct OffObject {
     pub object: u32,
     pub tier: Tier,
 }
 
-impl Rule<PointAt, POINT> for OffObject {
-    fn look_up(sight: &mut Sight, at: PointAt, add: &mut impl FnMut(Self)) {
-        let problem = sight.problem;
+impl OffObject {
+    /// Those in play for a circle of this radius at a point.
+    pub fn near(problem: &Problem, p: Point, radius: f64, mut add: impl FnMut(Self)) {
         let margin = problem.reserve.clearance;
-        let p = sight.x.position(at.stage(), at.robot());
         for &object in problem.object_index.near(p) {
-            let (center, keep) = problem.objects[object as usize];
-            let c = p.distance(center) - keep - margin;
+            let (center, footprint) = problem.objects[object as usize];
+            let c = p.distance(center) - (footprint + radius) - margin;
             if c < LOOK_AHEAD {
                 for tier in tiers(problem, c, margin) {
                     add(Self { object, tier });
@@ -161,13 +160,30 @@ impl Rule<PointAt, POINT> for OffObject {
         }
     }
 
+    /// For the center of a circle of this radius.
     #[inline]
-    fn term(self, problem: &Problem, _: PointAt) -> impl Term<POINT> {
-        let (center, keep) = problem.objects[self.object as usize];
+    pub fn distance(self, problem: &Problem, radius: f64) -> CenterDistance {
+        let (center, footprint) = problem.objects[self.object as usize];
+        let reserve = self.tier.reserve(problem, problem.reserve.clearance);
         CenterDistance {
             center,
-            keep: keep + self.tier.reserve(problem, problem.reserve.clearance),
+            keep: footprint + radius + reserve,
         }
+    }
+}
+
+impl Rule<PointAt, POINT> for OffObject {
+    fn look_up(sight: &mut Sight, at: PointAt, add: &mut impl FnMut(Self)) {
+        let problem = sight.problem;
+        let p = sight.x.position(at.stage(), at.robot());
+        if let Some(radius) = problem.disc {
+            Self::near(problem, p, radius, add);
+        }
+    }
+
+    #[inline]
+    fn term(self, problem: &Problem, _: PointAt) -> impl Term<POINT> {
+        self.distance(problem, problem.disc.unwrap_or(0.0))
     }
 
     fn key(self) -> u32 {
@@ -184,7 +200,7 @@ impl Rule<PointAt, POINT> for OffObject {
     }
 }
 
-/// A robot near an obstacle, from which it keeps.
+/// The circle around a robot's axle center near an obstacle, from which it keeps.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct OffObstacle {
     pub piece: u32,
@@ -192,33 +208,42 @@ pub(crate) struct OffObstacle {
 }
 
 impl OffObstacle {
-    #[inline]
-    fn distance(self, problem: &Problem) -> PointDistance<'_> {
-        PointDistance {
-            region: problem.pieces.get(self.piece),
-            keep: problem.robot.radius + self.tier.reserve(problem, problem.reserve.clearance),
-        }
-    }
-}
-
-impl Rule<PointAt, POINT> for OffObstacle {
-    fn look_up(sight: &mut Sight, at: PointAt, add: &mut impl FnMut(Self)) {
+    /// Those in play for a circle of this radius at a point.
+    pub fn near(sight: &mut Sight, p: Point, radius: f64, mut add: impl FnMut(Self)) {
         let problem = sight.problem;
         let margin = problem.reserve.clearance;
-        let p = sight.x.position(at.stage(), at.robot());
-        let reach = problem.robot.radius + margin + LOOK_AHEAD;
+        let reach = radius + margin + LOOK_AHEAD;
         let value = |piece: u32| {
             let tier = Tier::Margin;
-            Self { piece, tier }.distance(problem).value(&p.into())
+            let of_margin = Self { piece, tier };
+            of_margin.distance(problem, radius).value(&p.into())
         };
         sight.pieces_near((p, p), reach, margin, value, |piece, tier| {
             add(Self { piece, tier });
         });
     }
 
+    /// For the center of a circle of this radius.
+    #[inline]
+    pub fn distance(self, problem: &Problem, radius: f64) -> PointDistance<'_> {
+        PointDistance {
+            region: problem.pieces.get(self.piece),
+            keep: radius + self.tier.reserve(problem, problem.reserve.clearance),
+        }
+    }
+}
+
+impl Rule<PointAt, POINT> for OffObstacle {
+    fn look_up(sight: &mut Sight, at: PointAt, add: &mut impl FnMut(Self)) {
+        let p = sight.x.position(at.stage(), at.robot());
+        if let Some(radius) = sight.problem.disc {
+            Self::near(sight, p, radius, add);
+        }
+    }
+
     #[inline]
     fn term(self, problem: &Problem, _: PointAt) -> impl Term<POINT> {
-        self.distance(problem)
+        self.distance(problem, problem.disc.unwrap_or(0.0))
     }
 
     fn key(self) -> u32 {

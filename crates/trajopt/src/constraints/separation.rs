@@ -138,13 +138,23 @@ impl Rule<PairAt, PAIR> for FarEnoughApart {
                 ratio,
             };
         }
-        // With the net length free, 0.1 d_max stays below two radii up to 20 radii.
-        let share = problem
-            .net_length
-            .map_or(0.0, |length| problem.planner.min_ratio * length);
-        SeparationAbove {
-            lower: share.max(2.0 * problem.robot.radius) + problem.reserve.separation,
-            ratio: 0.0,
+        let reserve = problem.reserve.separation;
+        let least = problem.robot.least_separation();
+        let ratio = problem.planner.min_ratio;
+        match problem.net_length {
+            Some(length) => SeparationAbove {
+                lower: (ratio * length).max(least) + reserve,
+                ratio: 0.0,
+            },
+            // 0.1 d_max stays below two radii up to 20 radii.
+            None if least > 0.0 => SeparationAbove {
+                lower: least + reserve,
+                ratio: 0.0,
+            },
+            None => SeparationAbove {
+                lower: reserve,
+                ratio,
+            },
         }
     }
 

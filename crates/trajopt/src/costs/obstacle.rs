@@ -1,10 +1,18 @@
-use pairtrawl_geometry::Point;
-use pairtrawl_model::{Obstacle, Scene};
+use pairtrawl_geometry::{Point, Pose};
+use pairtrawl_model::{BodyCircle, Obstacle, Scene};
 
-/// Obstacle cost J_obs of one waypoint (the paper's eqs. 4 to 6): K1 inside an obstacle, plus the potential of every object's circle (radius with margin gamma).
-pub(crate) fn obstacle_cost(scene: &Scene, p: Point) -> f64 {
+/// Obstacle cost J_obs of a robot at one waypoint (the paper's eqs. 4 to 6), of every circle of its body.
+pub(crate) fn obstacle_cost(scene: &Scene, pose: Pose) -> f64 {
+    let body = scene.robot.circles();
+    let of_circle = |c: &BodyCircle| circle_cost(scene, c.center_at(pose), c.radius);
+    body.circles().iter().map(of_circle).sum()
+}
+
+/// K1 inside an obstacle, plus the potential of every object's circle (radius with margin gamma, that of the robot's circle
+/// unless the scene gives it).
+fn circle_cost(scene: &Scene, p: Point, radius: f64) -> f64 {
     let k = &scene.planner;
-    let margin = k.circle_margin.unwrap_or(scene.robot.radius);
+    let margin = k.circle_margin.unwrap_or(radius);
     let mut cost = if in_obstacle(scene, p) { k.k1 } else { 0.0 };
     for object in &scene.objects {
         let radius = object.footprint_radius() + margin;

@@ -96,6 +96,7 @@ impl<'a> Lagrangian<'a> {
                 abreast([l, r][rule.0.robot.index()].heading)
             }
             Subject::Pair(PairRules::OwnPair(_)) => unreachable!("no terms of our own"),
+            Subject::Pair(PairRules::BodiesApart(_)) => unreachable!("no body"),
             Subject::Point(robot, ref kind) => {
                 let p = [l, r][robot.index()].position();
                 match *kind {

@@ -3,6 +3,8 @@
 use super::derivative_check::{Fault, assert_checked, check};
 use super::{between, regions};
 use crate::constraints::abreast::Abreast;
+use crate::constraints::bodies_apart::CirclesApart;
+use crate::constraints::carried::Carried;
 use crate::constraints::half_plane::HalfPlane;
 use crate::constraints::net_reach::NetReach;
 use crate::constraints::point_distance::{CenterDistance, PointDistance};
@@ -217,6 +219,69 @@ fn points() {
         let p = center + Point::unit(between(&mut random, -PI, PI)) * d;
         assert_checked(&disc, &p.into(), 0.1 * d);
         assert_checked(&plane, &p.into(), 0.1);
+    }
+}
+
+#[test]
+fn points_that_a_robot_carries() {
+    let mut random = Rng::with_seed(9);
+    let center = Point::new(0.4, -0.7);
+    for o in [Point::new(-0.064, 0.0), Point::new(0.3, -0.2)] {
+        let disc = Carried {
+            point: o,
+            term: CenterDistance { center, keep: 0.3 },
+        };
+        for d in [1e-2, 0.1, 0.3, 1.0] {
+            for _ in 0..10 {
+                let phi = between(&mut random, -PI, PI);
+                let (forward, away) = (Point::unit(phi), between(&mut random, -PI, PI));
+                let arm = forward * o.x + forward.perp() * o.y;
+                let p = center + Point::unit(away) * d - arm;
+                assert_checked(&disc, &[p.x, p.y, phi], 0.1 * d);
+            }
+        }
+    }
+    for region in regions() {
+        let region = Piece::new(&region);
+        let term = Carried {
+            point: Point::new(-0.1, 0.05),
+            term: PointDistance {
+                region: &region,
+                keep: 0.19,
+            },
+        };
+        let mut rough = 0;
+        for _ in 0..100 {
+            let z = [1.0, 1.0, PI].map(|most| between(&mut random, -most, most));
+            match check(&term, &z, 1e-3) {
+                Ok(()) => {}
+                Err(Fault::Rough) => rough += 1,
+                fault => panic!("{fault:?}"),
+            }
+        }
+        assert!(rough <= 4, "{rough} of 100 points near a kink");
+    }
+}
+
+#[test]
+fn circles_of_both_bodies() {
+    let term = CirclesApart {
+        left: Point::new(-0.3, 0.1),
+        right: Point::new(0.4, -0.05),
+        keep: 0.38,
+    };
+    let mut random = Rng::with_seed(10);
+    for _ in 0..40 {
+        let d = between(&mut random, 1.0, 2.0);
+        let z = pair(&mut random, d, 1.3);
+        assert_checked(&term, &z, 0.05);
+    }
+    // Almost concentric.
+    for gap in [1e-3, 1e-2] {
+        let (l, r) = (0.3_f64, 2.9_f64);
+        let arm = |p: Point, phi: f64| Point::unit(phi) * p.x + Point::unit(phi).perp() * p.y;
+        let apart = arm(term.right, r) - arm(term.left, l) + Point::unit(1.0) * gap;
+        assert_checked(&term, &[apart.x, apart.y, l, r, 1.3], 0.1 * gap);
     }
 }
 
