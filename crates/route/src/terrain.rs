@@ -19,7 +19,8 @@ const COMFORT: f64 = 1.2;
 /// The measures of the pair that decide where it fits.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct PairMeasures {
-    /// Radius of a robot.
+    /// Radius of a robot, of one with a body half its width: the room that it takes while it drives. The optimizer and the
+    /// certificate know the body itself.
     pub radius: f64,
     /// Margin wanted beyond the radius.
     pub clearance: f64,
@@ -36,7 +37,7 @@ pub(crate) struct PairMeasures {
 impl PairMeasures {
     pub fn of(scene: &Scene) -> Self {
         let net = scene.net.length.unwrap_or(OPEN_NET_LENGTH);
-        let radius = scene.robot.radius;
+        let radius = scene.robot.circles().half_width();
         let min_half = radius.max(0.5 * scene.planner.min_ratio * net) + SPARE;
         let max_half = (0.475 * net).max(min_half);
         let half_separation = scene.planner.half_separation.clamp(min_half, max_half);

@@ -25,9 +25,10 @@ pub(crate) fn object_circles(scene: &Scene) -> Vec<Circle> {
         .collect()
 }
 
-/// gamma: the planner's `circle_margin`, or the robot radius.
+/// gamma: the planner's `circle_margin`, or the robot radius, of a body half its width.
 fn margin(scene: &Scene) -> f64 {
-    scene.planner.circle_margin.unwrap_or(scene.robot.radius)
+    let half_width = || scene.robot.circles().half_width();
+    scene.planner.circle_margin.unwrap_or_else(half_width)
 }
 
 /// Circles of close objects merged into their bounding circle (enlarged by gamma): the two with the nearest centers first,

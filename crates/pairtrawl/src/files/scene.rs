@@ -1,6 +1,7 @@
 //! `scene.toml`, format `pairtrawl-scene/1`.
 
 mod area;
+mod body;
 mod checks;
 pub(super) mod content;
 mod parameters;
@@ -89,13 +90,14 @@ pub(super) fn parse(
         .map_or(Ok("unnamed"), |v| v.text())?
         .to_owned();
 
-    let robot = parameters::robot(&root)?;
+    let mut warnings = Vec::new();
+    let (robot, preset) = parameters::robot(&root, &mut warnings)?;
     let area = area::read(&root, &robot, path, read_file)?;
     let mut parts = vec![text.as_bytes()];
     parts.extend(area.hashed.iter().map(Vec::as_slice));
     let sha256 = sha256_hex(&parts);
 
-    let mut warnings = area.warnings;
+    warnings.extend(area.warnings);
     let scene = Scene {
         name,
         area: area.area,
@@ -107,7 +109,7 @@ pub(super) fn parse(
         robot,
         net: parameters::net(&root)?,
         planner: parameters::planner(&root, &robot, &mut warnings)?,
-        physics: parameters::physics(&root, &robot)?,
+        physics: parameters::physics(&root, &robot, preset)?,
     };
     checks::check(&scene, &root)?;
     let reference = SceneReference {

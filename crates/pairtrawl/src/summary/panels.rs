@@ -1,10 +1,10 @@
 //! Curves over time.
 
 use pairtrawl_certificate::Clearance;
-use pairtrawl_geometry::{Hull, Pose, Segment, wrap_angle};
+use pairtrawl_geometry::{Hull, Point, Pose, Segment, wrap_angle};
 use pairtrawl_model::{
-    Limit, Line, PairTrajectory, Panel, Plan, RehearsalFrame, RehearsalRecord, Role, Sampling,
-    Scene,
+    Body, BodyCircle, Limit, Line, Object, PairTrajectory, Panel, Plan, RehearsalFrame,
+    RehearsalRecord, Role, Sampling, Scene,
 };
 
 /// The curves that a plan decides.
@@ -26,8 +26,16 @@ pub(super) fn of_plan(scene: &Scene, plan: &Plan, times: &[f64]) -> Vec<Panel> {
                 })
                 .collect(),
         };
-    let (planner, radius) = (&scene.planner, scene.robot.radius);
+    let (planner, body) = (&scene.planner, scene.robot.circles());
     let d_max = plan.net_length;
+    let mut separations = vec![
+        ("d_max", d_max),
+        ("d_rest", planner.rest_ratio * d_max),
+        ("2 radii", scene.robot.least_separation()),
+        ("d_min", planner.min_ratio * d_max),
+    ];
+    // Robots with a body keep their circles apart, not their axle centers.
+    separations.retain(|(_, value)| *value > 0.0);
     let mut panels = vec![
         panel(
             "separation",
@@ -45,12 +53,7 @@ pub(super) fn of_plan(scene: &Scene, plan: &Plan, times: &[f64]) -> Vec<Panel> {
                     }),
                 ),
             ],
-            &[
-                ("d_max", d_max),
-                ("d_rest", planner.rest_ratio * d_max),
-                ("2 radii", 2.0 * radius),
-                ("d_min", planner.min_ratio * d_max),
-            ],
+            &separations,
         ),
         panel(
             "step_length",
@@ -88,6 +91,17 @@ pub(super) fn of_plan(scene: &Scene, plan: &Plan, times: &[f64]) -> Vec<Panel> {
             &[("limit", planner.max_skew), ("limit", -planner.max_skew)],
         ),
     ];
+    if scene.robot.body.is_some() {
+        let gap = instants(t, |p| body.gap(p.left, p.right));
+        panels.push(panel(
+            "robots_apart",
+            "Gap between the robots",
+            "m",
+            Sampling::Instant,
+            vec![line("robots", Role::Other, gap)],
+            &[("contact", 0.0)],
+        ));
+    }
     let margin: &[(&str, f64)] = &[("margin", planner.clearance), ("contact", 0.0)];
     if let Some(lines) = obstacle_clearance(scene, t) {
         let title = "Clearance from obstacles";
@@ -102,12 +116,12 @@ pub(super) fn of_plan(scene: &Scene, plan: &Plan, times: &[f64]) -> Vec<Panel> {
     }
     if !scene.objects.is_empty() {
         let lines = per_robot(t, |a, b| {
-            let path = Segment::new(a.position(), b.position());
-            let gaps = scene
-                .objects
-                .iter()
-                .map(|o| path.gap_to_disc(o.position, o.footprint_radius()).distance - radius);
-            gaps.fold(f64::INFINITY, f64::min)
+            of_circles(&body, |c| {
+                let path = Segment::new(c.center_at(a), c.center_at(b));
+                let gap = |o: &Object| path.gap_to_disc(o.position, o.footprint_radius());
+                let gaps = scene.objects.iter().map(|o| gap(o).distance - c.radius);
+                gaps.fold(f64::INFINITY, f64::min)
+            })
         });
         let title = "Clearance from objects";
         panels.push(panel(
@@ -177,15 +191,22 @@ pub(super) fn of_rehearsal(scene: &Scene, record: &RehearsalRecord) -> Vec<Panel
 fn obstacle_clearance(scene: &Scene, t: &PairTrajectory) -> Option<Vec<Line>> {
     let obstacles = Clearance::new(scene)?;
     obstacles.distance(&Hull::of(&[scene.start.left.position()]))?;
-    let distance = |points: &[Pose], less: f64| {
-        let points: Vec<_> = points.iter().map(|p| p.position()).collect();
+    let distance = |points: &[Point], less: f64| {
         obstacles
-            .distance(&Hull::of(&points))
+            .distance(&Hull::of(points))
             .map_or(f64::NAN, |d| d - less)
     };
-    let mut lines = per_robot(t, |a, b| distance(&[a, b], scene.robot.radius));
+    let body = scene.robot.circles();
+    let mut lines = per_robot(t, |a, b| {
+        of_circles(&body, |c| {
+            distance(&[c.center_at(a), c.center_at(b)], c.radius)
+        })
+    });
     let steps = t.left.windows(2).zip(t.right.windows(2));
-    let net = steps.map(|(l, r)| distance(&[l[0], l[1], r[1], r[0]], 0.0));
+    let net = steps.map(|(l, r)| {
+        let corners = [l[0], l[1], r[1], r[0]].map(Pose::position);
+        distance(&corners, 0.0)
+    });
     lines.push(line("net", Role::Net, net.collect()));
     Some(lines)
 }
@@ -200,6 +221,11 @@ fn line(label: &str, role: Role, values: Vec<f64>) -> Line {
 
 fn instants(t: &PairTrajectory, value: impl Fn(pairtrawl_model::PairPose) -> f64) -> Vec<f64> {
     (0..t.len()).map(|i| value(t.pair(i))).collect()
+}
+
+/// The least of what is found for each circle of a body.
+fn of_circles(body: &Body, gap: impl Fn(&BodyCircle) -> f64) -> f64 {
+    body.circles().iter().map(gap).fold(f64::INFINITY, f64::min)
 }
 
 fn per_robot(t: &PairTrajectory, value: impl Fn(Pose, Pose) -> f64) -> Vec<Line> {

@@ -73,7 +73,6 @@ fn pair_trouble(
     key: &str,
     pair: &PairPose,
 ) -> Option<(&'static str, String)> {
-    let radius = scene.robot.radius;
     for (name, pose) in [("left", pair.left), ("right", pair.right)] {
         let p = pose.position();
         if is_outside(scene, p) {
@@ -98,23 +97,55 @@ fn pair_trouble(
         );
         return Some(("left", reason));
     }
+    too_close(scene, pair).map(|reason| ("left", reason))
+}
+
+/// Why two robots stand too close to each other.
+fn too_close(scene: &Scene, pair: &PairPose) -> Option<String> {
     let separation = pair.separation();
+    if let Some(body) = scene.robot.body {
+        let gap = body.gap(pair.left, pair.right);
+        return (gap < -TOLERANCE).then(|| {
+            format!(
+                "the robots stand {separation:.4} m apart, where circles of robot.body overlap by {:.4} m: move them apart",
+                -gap
+            )
+        });
+    }
+    let radius = scene.robot.radius;
     (separation < 2.0 * radius - TOLERANCE).then(|| {
-        let reason = format!(
+        format!(
             "the robots stand {separation:.4} m apart, two robots of radius {radius} m need at least {:.4} m: move them apart",
             2.0 * radius
-        );
-        ("left", reason)
+        )
     })
 }
 
+/// Why a robot cannot stand at a pose: what its circles overlap.
 fn collision(scene: &Scene, pieces: &[Convex], pose: Pose) -> Option<String> {
-    let (p, radius) = (pose.position(), scene.robot.radius);
+    let here = format!("the robot at ({}, {})", pose.x, pose.y);
+    let body = scene.robot.circles();
+    let mut circles = body.circles().iter().enumerate();
+    circles.find_map(|(i, circle)| {
+        let name = match scene.robot.body {
+            None => here.clone(),
+            Some(_) => format!("{here}, circle {i} of its body,"),
+        };
+        circle_collision(scene, pieces, &name, circle.center_at(pose), circle.radius)
+    })
+}
+
+fn circle_collision(
+    scene: &Scene,
+    pieces: &[Convex],
+    here: &str,
+    p: Point,
+    radius: f64,
+) -> Option<String> {
     let nearest = pieces
         .iter()
         .map(|piece| signed_distance(piece, p))
         .fold(f64::INFINITY, f64::min);
-    let here = format!("the robot at ({}, {})", p.x, p.y);
     if nearest < radius - TOLERANCE || is_blocked(scene, p) {
         let disc = Convex::Circle { center: p, radius };
         let what = obstacle_under(scene, &disc);

@@ -47,7 +47,7 @@ pub struct SceneFile {
     end: PairFile,
     /// The robot; both are alike. The default is the TurtleBot3 Waffle Pi.
     #[cfg_attr(feature = "schema", schemars(default))]
-    robot: Robot,
+    robot: RobotFile,
     /// The net.
     #[cfg_attr(feature = "schema", schemars(default))]
     net: NetFile,
@@ -151,6 +151,19 @@ struct PairFile {
     right_heading: Option<f64>,
 }
 
+/// The robot; both are alike. The default is the TurtleBot3 Waffle Pi within one circle around the axle center.
+#[derive(Default, Serialize)]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
+#[serde(deny_unknown_fields)]
+struct RobotFile {
+    /// A machine that is known by name: sets every key of `robot` and `physics` that is not given.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    #[cfg_attr(feature = "schema", schemars(extend("enum" = pairtrawl_model::Preset::ALL.map(pairtrawl_model::Preset::name))))]
+    preset: Option<String>,
+    #[serde(flatten)]
+    robot: Robot,
+}
+
 /// The net.
 #[derive(Default, Serialize)]
 #[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
@@ -180,7 +193,10 @@ impl From<&Scene> for SceneFile {
             objects: scene.objects.iter().map(ObjectFile::from).collect(),
             start: PairFile::from(scene.start),
             end: PairFile::from(scene.end),
-            robot: scene.robot,
+            robot: RobotFile {
+                preset: None,
+                robot: scene.robot,
+            },
             net: NetFile {
                 length: scene.net.length,
                 start: scene.net.start.as_deref().map(points),

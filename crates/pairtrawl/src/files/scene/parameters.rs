@@ -1,10 +1,11 @@
 //! `[robot]`, `[net]`, `[planner]` and `[physics]`. Keys are named as the fields of the model's types.
 
+use super::body;
 use crate::files::FileError;
 use crate::files::toml_reader::Range::{Length, NotNegative, Positive, UpTo};
-use crate::files::toml_reader::{Range, Table};
+use crate::files::toml_reader::{Range, Table, Value};
 use pairtrawl_model::{
-    Leave, NetSpec, PhysicsParameters, PlannerParameters, Robot, RobotSize, Warning,
+    Leave, NetSpec, PhysicsParameters, PlannerParameters, Preset, Robot, RobotSize, Warning,
 };
 use std::f64::consts::{FRAC_PI_2, PI};
 
@@ -17,22 +18,52 @@ const LONGEST_STEP: f64 = 1.0;
 /// A cruise speed below this part of the robot's greatest one is worth a warning.
 const SLOW: f64 = 0.2;
 
-pub(super) fn robot(root: &Table<'_>) -> Result<Robot, FileError> {
-    let mut robot = Robot::default();
-    if let Some(table) = root.table("robot")? {
-        set(
-            &table,
-            &mut [
-                ("radius", Length, &mut robot.radius),
-                ("hitch", NotNegative, &mut robot.hitch),
-                ("v_max", Length, &mut robot.v_max),
-                ("omega_max", UpTo(1e3), &mut robot.omega_max),
-                ("half_track", Length, &mut robot.half_track),
-            ],
-            &[],
-        )?;
+/// `[robot]`, and the preset that it names.
+pub(super) fn robot(
+    root: &Table<'_>,
+    warnings: &mut Vec<Warning>,
+) -> Result<(Robot, Option<Preset>), FileError> {
+    let Some(table) = root.table("robot")? else {
+        return Ok((Robot::default(), None));
+    };
+    let preset = table.get("preset").map(|v| preset(&v)).transpose()?;
+    let standard = preset.map_or_else(Robot::default, Preset::robot);
+    let mut robot = standard;
+    set(
+        &table,
+        &mut [
+            ("radius", Length, &mut robot.radius),
+            ("hitch", NotNegative, &mut robot.hitch),
+            ("v_max", Length, &mut robot.v_max),
+            ("omega_max", UpTo(1e3), &mut robot.omega_max),
+            ("half_track", Length, &mut robot.half_track),
+        ],
+        &["preset", "body"],
+    )?;
+    let given = table.get("body").map(|v| body::read(&v)).transpose()?;
+    if let Some(body) = given {
+        robot = robot.with_body(body);
+    } else if robot.body.is_some() {
+        robot.radius = standard.radius;
     }
-    Ok(robot)
+    if robot.body.is_some() && table.get("radius").is_some() {
+        let instead = match given {
+            Some(_) => "robot.body",
+            None => "the body of robot.preset",
+        };
+        let key = "robot.radius";
+        warnings.push(Warning::Unused { key, instead });
+    }
+    Ok((robot, preset))
+}
+
+fn preset(value: &Value<'_>) -> Result<Preset, FileError> {
+    let name = value.text()?;
+    let known = Preset::ALL.into_iter().find(|p| p.name() == name);
+    known.ok_or_else(|| {
+        let names = Preset::ALL.map(|p| format!("{:?}", p.name()));
+        value.refuse(names.join(" or "))
+    })
 }
 
 pub(super) fn net(root: &Table<'_>) -> Result<NetSpec, FileError> {
@@ -148,9 +179,13 @@ fn ratio_problem(
     }
 }
 
-/// `[physics]`; what it leaves out follows from the robot's size.
-pub(super) fn physics(root: &Table<'_>, robot: &Robot) -> Result<PhysicsParameters, FileError> {
-    let mut p = RobotSize::of(robot).physics();
+/// `[physics]`; what it leaves out is the preset's, or follows from the robot's size.
+pub(super) fn physics(
+    root: &Table<'_>,
+    robot: &Robot,
+    preset: Option<Preset>,
+) -> Result<PhysicsParameters, FileError> {
+    let mut p = preset.map_or_else(|| RobotSize::of(robot).physics(), Preset::physics);
     let Some(table) = root.table("physics")? else {
         return Ok(p);
     };
