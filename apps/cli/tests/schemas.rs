@@ -96,6 +96,11 @@ fn what_is_printed_and_written_fits_the_schemas() {
                 &inside("made"),
             ],
         ),
+        (
+            "generate",
+            0,
+            &["generate", "--kind", "hall", "-o", &inside("natural")],
+        ),
         ("new", 0, &["new", &inside("hall")]),
         ("completions", 0, &["completions", "fish"]),
         ("error", 8, &["new", &inside("hall")]),

@@ -1,9 +1,9 @@
 use crate::obstacles::Obstacles;
-use pairtrawl_geometry::Hull;
+use pairtrawl_geometry::{Hull, Point};
 use pairtrawl_model::Scene;
 
 /// Exact distances to a scene's obstacles, by the geometry that decides the claims: for showing how much room a plan
-/// leaves where it is not tightest.
+/// leaves where it is not tightest, and for finding places.
 pub struct Clearance<'a>(Obstacles<'a>);
 
 impl<'a> Clearance<'a> {
@@ -18,5 +18,10 @@ impl<'a> Clearance<'a> {
         self.0
             .gap(region, f64::INFINITY)
             .map(|(gap, _)| gap.distance)
+    }
+
+    /// True when no obstacle is closer to a point than `keep`, m.
+    pub fn is_free(&self, p: Point, keep: f64) -> bool {
+        self.0.distance(p, keep).is_none()
     }
 }

@@ -1,6 +1,7 @@
-//! Scenes that are solvable by construction, each with the solution that it was built around.
+//! Scenes that are solvable by construction, each with the solution that it was built around ([`generate`]), and scenes
+//! as they are found, which nobody built to be solvable ([`litter()`], [`litter_hall`]).
 //!
-//! The pair's trajectory comes first: a centerline of smooth bends and a smooth separation profile, sampled so that
+//! By construction: the pair's trajectory comes first: a centerline of smooth bends and a smooth separation profile, sampled so that
 //! every step obeys the planner's mid-step kinematics p\[i+1\] = p\[i\] + s (cos, sin)(phi + dphi/2) exactly. Objects are
 //! then put into its band and obstacles outside it. The witness passes every claim of a certificate; it is a proof
 //! that the scene can be done, not a good plan.
@@ -19,8 +20,11 @@
 
 mod band;
 mod course;
+mod floor;
+mod hall;
 mod kind;
 mod level;
+mod litter;
 mod objects;
 mod obstacles;
 mod pair;
@@ -31,7 +35,8 @@ mod shape;
 mod witness_file;
 
 pub use kind::Kind;
-pub use scene_file::{SceneTomlError, scene_toml};
+pub use litter::{Litter, LitterError, litter, litter_hall};
+pub use scene_file::{SceneTomlError, scene_toml, scene_toml_on_map};
 pub use witness_file::witness_json;
 
 use band::Band;

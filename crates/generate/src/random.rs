@@ -19,6 +19,24 @@ impl Random {
         Self(ChaCha8Rng::from_seed(key))
     }
 
+    /// The stream of litter on a map of this many columns and rows: one seed does not mean the same headings everywhere.
+    pub(crate) fn of_litter(seed: u64, columns: usize, rows: usize) -> Self {
+        let mut key = [0u8; 32];
+        key[..8].copy_from_slice(&seed.to_le_bytes());
+        key[9] = 3;
+        key[16..24].copy_from_slice(&(columns as u64).to_le_bytes());
+        key[24..].copy_from_slice(&(rows as u64).to_le_bytes());
+        Self(ChaCha8Rng::from_seed(key))
+    }
+
+    /// The stream of a hall with litter.
+    pub(crate) fn of_hall(seed: u64) -> Self {
+        let mut key = [0u8; 32];
+        key[..8].copy_from_slice(&seed.to_le_bytes());
+        key[9] = 4;
+        Self(ChaCha8Rng::from_seed(key))
+    }
+
     /// Uniform in [0, 1).
     pub(crate) fn unit(&mut self) -> f64 {
         (self.0.next_u64() >> 11) as f64 / (1u64 << 53) as f64

@@ -21,13 +21,27 @@ pub fn scene_toml(scene: &Scene) -> Result<String, SceneTomlError> {
     if scene.map.is_some() {
         return Err(SceneTomlError::Map(scene.name.clone()));
     }
+    Ok(text(scene, |out| {
+        out.line(format_args!("min = {}", pair(scene.area.min)));
+        out.line(format_args!("max = {}", pair(scene.area.max)));
+        out.line(format_args!("resolution = {:?}", scene.area.resolution));
+    }))
+}
+
+/// The same for a scene on a map, which the file names: `map` is the path of the map's YAML relative to the scene file.
+pub fn scene_toml_on_map(scene: &Scene, map: &str) -> String {
+    text(scene, |out| {
+        out.line(format_args!("map = {}", quoted(map)));
+    })
+}
+
+/// The file, with what `area` writes below `[area]`.
+fn text(scene: &Scene, area: impl FnOnce(&mut Text)) -> String {
     let mut out = Text::default();
     out.line(format_args!("format = \"pairtrawl-scene/1\""));
     out.line(format_args!("name = {}", quoted(&scene.name)));
     out.section("[area]");
-    out.line(format_args!("min = {}", pair(scene.area.min)));
-    out.line(format_args!("max = {}", pair(scene.area.max)));
-    out.line(format_args!("resolution = {:?}", scene.area.resolution));
+    area(&mut out);
     for obstacle in &scene.obstacles {
         out.section("[[obstacles]]");
         match obstacle {
@@ -86,7 +100,7 @@ pub fn scene_toml(scene: &Scene) -> Result<String, SceneTomlError> {
         &physics(&scene.physics),
         &physics(&PhysicsParameters::default()),
     );
-    Ok(out.0)
+    out.0
 }
 
 /// Text under construction.

@@ -45,6 +45,20 @@ pub fn parse_not_negative(text: &str) -> Result<f64, String> {
     }
 }
 
+/// Longest side of a hall, m.
+const LONGEST_SIDE: f64 = 200.0;
+
+/// `WxD`: width and depth of a hall in meters.
+pub fn parse_size(text: &str) -> Result<[f64; 2], String> {
+    let side = |text: &str| match text.parse::<f64>() {
+        Ok(side) if (1.0..=LONGEST_SIDE).contains(&side) => Some(side),
+        _ => None,
+    };
+    text.split_once('x')
+        .and_then(|(width, depth)| Some([side(width)?, side(depth)?]))
+        .ok_or_else(|| format!("give width and depth as in 15x10, each from 1 to {LONGEST_SIDE} m"))
+}
+
 /// `LOW:HIGH`, or one number that stands for both.
 pub fn parse_range(text: &str) -> Result<[f64; 2], String> {
     let (low, high) = text.split_once(':').unwrap_or((text, text));
@@ -58,7 +72,7 @@ pub fn parse_range(text: &str) -> Result<[f64; 2], String> {
 
 #[cfg(test)]
 mod tests {
-    use super::{parse_net_length, parse_range, parse_seconds};
+    use super::{parse_net_length, parse_range, parse_seconds, parse_size};
 
     #[test]
     fn net_lengths_are_positive_finite_numbers_or_auto() {
@@ -77,6 +91,17 @@ mod tests {
         assert_eq!(parse_seconds("0.5"), Ok(0.5));
         for bad in ["", "0", "-1", "nan", "inf", "1e7"] {
             assert!(parse_seconds(bad).is_err(), "{bad:?} was taken");
+        }
+    }
+
+    #[test]
+    fn sizes_are_two_lengths() {
+        assert_eq!(parse_size("15x10"), Ok([15.0, 10.0]));
+        assert_eq!(parse_size("7.5x4"), Ok([7.5, 4.0]));
+        for bad in [
+            "", "x", "15", "15x", "15x0", "nanx10", "infx10", "15X10", "1e9x10",
+        ] {
+            assert!(parse_size(bad).is_err(), "{bad:?} was taken");
         }
     }
 

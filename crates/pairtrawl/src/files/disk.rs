@@ -1,12 +1,13 @@
 //! Files on a disk: read with a bound, written whole or not at all.
 
 use super::{
-    FileError, LoadedScene, PlanFile, Problem, csv_text, execution_json, parse_plan, plan_json,
-    scene, tum_text, write_atomically,
+    FileError, LoadedMap, LoadedScene, PlanFile, Problem, csv_text, execution_json, parse_plan,
+    plan_json, scene, tum_text, write_atomically,
 };
 use pairtrawl_execution::ExecutionOptions;
-use pairtrawl_model::{Execution, Plan, SceneReference, Side};
+use pairtrawl_model::{Execution, Plan, Robot, SceneReference, Side};
 use pairtrawl_reference::Reference;
+use pairtrawl_world::ros_map::Unknown;
 use std::fs::File;
 use std::io::{ErrorKind, Read};
 use std::path::Path;
@@ -25,6 +26,14 @@ pub fn read_scene(path: &Path) -> Result<LoadedScene, FileError> {
     scene::parse(path, text(path, &bytes)?, &|file, bound| {
         read_bounded(file, bound)
     })
+}
+
+/// Reads a ROS map, its YAML file and the image that it names, for the default robot. Unknown cells count as occupied.
+///
+/// # Errors
+/// When a file cannot be read or is no map, or the map is too large.
+pub fn read_map(path: &Path) -> Result<LoadedMap, FileError> {
+    scene::map_file(path, Unknown::Occupied, &Robot::default(), &read_bounded)
 }
 
 /// Reads a plan file.

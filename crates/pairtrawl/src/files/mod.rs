@@ -26,13 +26,14 @@ pub use atomic::{check_writable, write_atomically};
 pub use csv::csv_text;
 #[cfg(feature = "fs")]
 pub use disk::{
-    read_bounded, read_plan, read_scene, write_csv, write_execution, write_plan, write_tum,
+    read_bounded, read_map, read_plan, read_scene, write_csv, write_execution, write_plan,
+    write_tum,
 };
 pub use error::{FileError, Problem};
 pub use execution::{ExecutionFigures, execution_json};
 pub use hash::sha256_hex;
 pub use plan::{PlanFile, parse_plan, plan_json};
-pub use scene::{LoadedScene, parse_scene, parse_scene_with};
+pub use scene::{LoadedMap, LoadedScene, parse_scene, parse_scene_with};
 #[cfg(feature = "schema")]
 pub use schema::schemas;
 pub use tum::tum_text;

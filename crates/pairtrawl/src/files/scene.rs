@@ -9,7 +9,10 @@ mod shapes;
 
 use super::toml_reader::{Document, Table};
 use super::{FileError, Problem, sha256_hex};
+pub use area::LoadedMap;
 use area::ReadFile;
+#[cfg(feature = "fs")]
+pub(super) use area::map_file;
 use content::FORMAT;
 use pairtrawl_model::{PairPose, Scene, SceneReference, Warning};
 use std::path::Path;

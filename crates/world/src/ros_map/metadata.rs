@@ -129,6 +129,26 @@ impl MapMetadata {
     }
 }
 
+impl MapMetadata {
+    /// The YAML file of a copy of the map whose image lies beside it under this name.
+    pub fn to_yaml(&self, image: &str) -> String {
+        let Pose { x, y, heading } = self.origin;
+        let mode = match self.mode {
+            Mode::Trinary => "trinary",
+            Mode::Scale => "scale",
+            Mode::Raw => "raw",
+        };
+        format!(
+            "image: {image}\nmode: {mode}\nresolution: {:?}\norigin: [{x:?}, {y:?}, {heading:?}]\nnegate: {}\n\
+             occupied_thresh: {:?}\nfree_thresh: {:?}\n",
+            self.resolution,
+            u8::from(self.negate),
+            self.occupied_thresh,
+            self.free_thresh
+        )
+    }
+}
+
 fn value_error(key: &'static str, value: impl ToString, bound: &'static str) -> RosMapError {
     RosMapError::Value {
         key,

@@ -16,7 +16,7 @@ const MAP_YAML_BYTES: u64 = 64 << 10;
 const MAP_IMAGE_BYTES: u64 = 256 << 20;
 
 /// Reads a file whose size in bytes is bounded by the second argument.
-pub(super) type ReadFile<'a> = &'a dyn Fn(&Path, u64) -> Result<Vec<u8>, FileError>;
+pub(in crate::files) type ReadFile<'a> = &'a dyn Fn(&Path, u64) -> Result<Vec<u8>, FileError>;
 
 /// What `[area]` says.
 pub(super) struct ReadArea {
@@ -123,10 +123,42 @@ fn from_map(
             _ => return Err(value.refuse("\"free\" or \"occupied\"")),
         },
     };
-    let yaml_path = beside(scene, map.text()?);
-    let yaml = read_file(&yaml_path, MAP_YAML_BYTES)?;
-    let metadata = MapMetadata::parse(&yaml).map_err(|e| FileError::new(&yaml_path, e))?;
-    let image_path = beside(&yaml_path, &metadata.image);
+    let loaded = map_file(&beside(scene, map.text()?), unknown, robot, read_file)?;
+    Ok(ReadArea {
+        area: loaded.area,
+        map: Some(loaded.map),
+        hashed: vec![loaded.yaml, loaded.image],
+        warnings: loaded.warnings,
+    })
+}
+
+/// A ROS map as read from its files.
+#[derive(Clone, Debug, PartialEq)]
+pub struct LoadedMap {
+    /// The axis-parallel rectangle around it, and its resolution.
+    pub area: Area,
+    /// Its cells.
+    pub map: OccupancyMap,
+    /// What its YAML file says.
+    pub metadata: MapMetadata,
+    /// The YAML file.
+    pub yaml: Vec<u8>,
+    /// The image file that it names.
+    pub image: Vec<u8>,
+    /// What a person should know about it.
+    pub warnings: Vec<Warning>,
+}
+
+/// Reads a map for robots of this size.
+pub(in crate::files) fn map_file(
+    yaml_path: &Path,
+    unknown: Unknown,
+    robot: &Robot,
+    read_file: ReadFile<'_>,
+) -> Result<LoadedMap, FileError> {
+    let yaml = read_file(yaml_path, MAP_YAML_BYTES)?;
+    let metadata = MapMetadata::parse(&yaml).map_err(|e| FileError::new(yaml_path, e))?;
+    let image_path = beside(yaml_path, &metadata.image);
     let image = read_file(&image_path, MAP_IMAGE_BYTES)?;
     let decoded = decode(&metadata, &image, unknown).map_err(|e| FileError::new(&image_path, e))?;
     let map = decoded.map;
@@ -136,7 +168,7 @@ fn from_map(
             let value = format!("such that the map reaches ({:e}, {:e})", corner.x, corner.y);
             let bound = "such that coordinates stay between -1e6 and 1e6 (m)".to_owned();
             return Err(FileError::new(
-                &yaml_path,
+                yaml_path,
                 Problem::Value {
                     field: "origin or resolution".to_owned(),
                     value,
@@ -149,7 +181,7 @@ fn from_map(
         map.columns as f64 * map.resolution,
         map.rows as f64 * map.resolution,
     );
-    check_grid(robot, width, height, map.resolution).map_err(|e| FileError::new(&yaml_path, e))?;
+    check_grid(robot, width, height, map.resolution).map_err(|e| FileError::new(yaml_path, e))?;
     let warnings = decoded
         .warnings
         .into_iter()
@@ -158,10 +190,12 @@ fn from_map(
             warning: Box::new(warning),
         })
         .collect();
-    Ok(ReadArea {
+    Ok(LoadedMap {
         area,
-        map: Some(map),
-        hashed: vec![yaml, image],
+        map,
+        metadata,
+        yaml,
+        image,
         warnings,
     })
 }
