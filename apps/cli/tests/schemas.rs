@@ -67,7 +67,7 @@ fn what_is_printed_and_written_fits_the_schemas() {
     let run_once = [
         "run", scene, plan_path, "--trials", "1", "--quick", "-o", out,
     ];
-    let calls: [(&str, i32, &[&str]); 16] = [
+    let calls: [(&str, i32, &[&str]); 17] = [
         ("plan", 0, &["plan", scene, "-o", out, "--no-rehearsal"]),
         ("check", 0, &["check", scene, plan_path]),
         ("rehearse", 0, &["rehearse", scene, plan_path, "--quick"]),

@@ -238,6 +238,7 @@ fn draw_item(random: &mut Random) -> Object {
         position: Point::ZERO,
         footprint,
         mass: millimeters(mass),
+        leave: false,
     }
 }
 
