@@ -101,9 +101,17 @@ impl Body {
         self.greatest(|c| c.center.y.abs() + c.radius)
     }
 
-    /// Distance of the farthest center from the reference point, m.
-    pub fn greatest_offset(&self) -> f64 {
-        self.greatest(BodyCircle::offset)
+    /// How far the body extends straight ahead of the reference point, m.
+    pub fn front(&self) -> f64 {
+        self.greatest(|c| {
+            let aside = c.center.y;
+            let half_chord = if aside == 0.0 {
+                c.radius
+            } else {
+                (c.radius * c.radius - aside * aside).max(0.0).sqrt()
+            };
+            c.center.x + half_chord
+        })
     }
 
     /// The gap between two bodies at poses, m: less than zero when they overlap.
@@ -168,7 +176,7 @@ mod tests {
         close(boat.inner_radius(), 0.2);
         close(boat.largest_radius(), 0.3);
         close(boat.half_width(), 0.4);
-        close(boat.greatest_offset(), 0.5);
+        close(boat.front(), 0.7);
     }
 
     #[test]

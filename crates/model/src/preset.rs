@@ -49,8 +49,8 @@ impl Preset {
         match self {
             Self::WafflePi => PhysicsParameters::default(),
             Self::Burger => PhysicsParameters {
-                robot_mass: 0.883,
-                robot_inertia: 0.0024,
+                robot_mass: 1.0,
+                robot_inertia: 0.0026,
                 center_of_mass: 0.0,
                 wheel_radius: 0.033,
                 max_torque: 1.5,

@@ -229,8 +229,8 @@
   const movers = svgElement("g", {}, duo);
   const robot = (side) => {
     const group = svgElement("g", { class: `robot moving ${side}` }, duo);
-    svgElement("circle", { class: "body", r: data.radius }, group);
-    svgElement("path", { class: "nose", d: `M${0.55 * data.radius} 0H${data.radius}` }, group);
+    for (const [cx, cy, r] of data.body) svgElement("circle", { class: "body", cx, cy, r }, group);
+    svgElement("path", { class: "nose", d: `M${0.55 * data.front} 0H${data.front}` }, group);
     svgElement("circle", { class: "hitch", cx: -data.hitch, r: 0.12 * data.radius }, group);
     return group;
   };

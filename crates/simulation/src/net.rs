@@ -2,11 +2,12 @@
 
 use crate::engine::{vector, velocity_at, world_point};
 use crate::ground_friction::Bristle;
+use crate::robots::ROBOTS;
 use crate::{Parameters, tag};
 use pairtrawl_geometry::{Point, Pose};
 use rapier2d_f64::prelude::{
-    ColliderBuilder, MassProperties, MotorModel, PhysicsWorld, RevoluteJointBuilder,
-    RigidBodyBuilder, RigidBodyHandle,
+    ColliderBuilder, Group, InteractionGroups, InteractionTestMode, MassProperties, MotorModel,
+    PhysicsWorld, RevoluteJointBuilder, RigidBodyBuilder, RigidBodyHandle,
 };
 
 pub(crate) struct Net {
@@ -48,8 +49,16 @@ impl Net {
                         inertia,
                     ))
                     .can_sleep(false);
+                let within = parameters.links_within_body();
+                let touches = if i < within || i + within >= nodes.len() - 1 {
+                    Group::ALL.difference(ROBOTS)
+                } else {
+                    Group::ALL
+                };
+                let groups = InteractionGroups::new(Group::ALL, touches, InteractionTestMode::And);
                 let collider = ColliderBuilder::cuboid(half_length, half_thickness)
                     .density(0.0)
+                    .collision_groups(groups)
                     .friction(physics.contact_friction)
                     .user_data(tag::link(i));
                 world.insert(body, collider).0

@@ -9,7 +9,7 @@ use crate::engine::unit;
 use crate::objects::distance_to_segment;
 use crate::{Base, Parameters, SimulationError};
 use pairtrawl_geometry::{Point, Pose};
-use pairtrawl_model::{Footprint, Scene, Side, Warning};
+use pairtrawl_model::{BodyCircle, Footprint, Scene, Side, Warning};
 use rapier2d_f64::parry::math::Pose as Isometry;
 use rapier2d_f64::parry::query::intersection_test;
 use rapier2d_f64::parry::shape::{Ball, Cuboid, SharedShape};
@@ -28,7 +28,12 @@ pub(crate) struct NetStart {
 
 /// What a link must not overlap at the start.
 pub(crate) struct Surroundings {
+    /// Obstacles, objects, then the parts of the left robot and those of the right one.
     shapes: Vec<(Isometry, SharedShape)>,
+    /// Number of parts of one robot.
+    robot_parts: usize,
+    /// As many links at each end may lie within the robot that holds them.
+    within_body: usize,
     thickness: f64,
     hitches: [Point; 2],
 }
@@ -238,21 +243,10 @@ impl Surroundings {
             };
             shapes.push((place, shape));
         }
-        let Base {
-            half_side,
-            behind_axle,
-        } = parameters.base;
-        for pose in robots {
-            let center = pose.position() - unit(pose.heading) * behind_axle;
-            let shape = SharedShape::new(Cuboid::new(crate::engine::vector(Point::new(
-                half_side, half_side,
-            ))));
-            shapes.push((
-                Isometry::new(crate::engine::vector(center), pose.heading),
-                shape,
-            ));
-        }
+        let robot_parts = push_robots(&mut shapes, parameters, robots);
         Self {
+            robot_parts,
+            within_body: parameters.links_within_body(),
             shapes,
             thickness: parameters.physics.net_thickness,
             hitches,
@@ -276,13 +270,18 @@ impl Surroundings {
             crate::engine::vector(ends[0].lerp(ends[1], 0.5)),
             libm::atan2(along.y, along.x),
         );
-        let robots = self.shapes.len() - 2;
+        let robots = self.shapes.len() - 2 * self.robot_parts;
+        let within = self.within_body.max(1);
         let at_hitch = |side: Side| {
             let tied = match side {
-                Side::Left => index == 0,
-                Side::Right => index == last,
+                Side::Left => index < within,
+                Side::Right => index + within > last,
             };
             tied || distance_to_segment(self.hitches[side.index()], ends[0], ends[1]) < 1e-9
+        };
+        let is_part = |i: usize, side: Side| {
+            i.checked_sub(robots)
+                .is_some_and(|part| part / self.robot_parts == side.index())
         };
         self.shapes
             .iter()
@@ -290,9 +289,41 @@ impl Surroundings {
             .any(|(i, (position, shape))| {
                 !Side::BOTH
                     .into_iter()
-                    .any(|side| i == robots + side.index() && at_hitch(side))
+                    .any(|side| is_part(i, side) && at_hitch(side))
                     && intersection_test(&place, &link, position, shape.as_ref())
                         .is_ok_and(|found| found.intersecting)
             })
     }
+}
+
+/// Adds the parts of both robots, the left one's first: their bases, or the circles of their bodies. Returns how many parts a
+/// robot has.
+fn push_robots(
+    shapes: &mut Vec<(Isometry, SharedShape)>,
+    parameters: &Parameters,
+    robots: [Pose; 2],
+) -> usize {
+    if let Some(body) = parameters.robot.body {
+        for pose in robots {
+            let ball = |c: &BodyCircle| {
+                let place = Isometry::new(crate::engine::vector(c.center_at(pose)), 0.0);
+                (place, SharedShape::new(Ball::new(c.radius)))
+            };
+            shapes.extend(body.circles().iter().map(ball));
+        }
+        return body.circles().len();
+    }
+    let Base {
+        half_side,
+        behind_axle,
+    } = parameters.base;
+    for pose in robots {
+        let center = pose.position() - unit(pose.heading) * behind_axle;
+        let half = crate::engine::vector(Point::new(half_side, half_side));
+        shapes.push((
+            Isometry::new(crate::engine::vector(center), pose.heading),
+            SharedShape::new(Cuboid::new(half)),
+        ));
+    }
+    1
 }

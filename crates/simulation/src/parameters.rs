@@ -1,5 +1,6 @@
 use crate::{Options, SimulationError};
-use pairtrawl_model::{Footprint, PhysicsParameters, Robot, Scene, Units};
+use pairtrawl_geometry::Point;
+use pairtrawl_model::{BodyCircle, Footprint, PhysicsParameters, Robot, Scene, Units};
 
 /// Side of the TurtleBot3 Waffle Pi's square base, m.
 const BASE_SIDE: f64 = 0.266;
@@ -31,7 +32,7 @@ pub struct Parameters {
     pub sweeps: usize,
 }
 
-/// The robot's outline: a square in the body frame (x forward, origin on the axle).
+/// The outline of a robot without a body: a square in the body frame (x forward, origin on the axle).
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Base {
     /// Half of its side, m.
@@ -123,6 +124,17 @@ impl Parameters {
             iterations: options.iterations,
             sweeps: options.sweeps,
         })
+    }
+
+    /// How many links at each end of the net lie within the robot's body when the net trails behind it, because the hitch is
+    /// that deep inside: the circles of a body contain more than the machine, and the net is tied outside of it. They do not
+    /// touch robots.
+    pub fn links_within_body(&self) -> usize {
+        let hitch = Point::new(-self.robot.hitch, 0.0);
+        let depth = |c: &BodyCircle| c.radius - c.center.distance(hitch);
+        let body = self.robot.body.iter().flat_map(|body| body.circles());
+        let deepest = body.map(depth).fold(0.0, f64::max);
+        ((deepest / self.link_length).ceil() as usize).min(self.links)
     }
 
     /// Greatest force that the tires of one robot can pass to the floor in one direction: mu m g, N.

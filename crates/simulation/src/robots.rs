@@ -9,8 +9,10 @@ use crate::engine::{pose_of, unit, vector, velocity_at, world_point};
 use crate::ground_friction::Bristle;
 use crate::{Parameters, RobotDrive, RobotLoad, RobotState, servo};
 use pairtrawl_geometry::{Point, Pose};
+use pairtrawl_model::BodyCircle;
 use rapier2d_f64::prelude::{
-    ColliderBuilder, MassProperties, PhysicsWorld, RigidBodyBuilder, RigidBodyHandle,
+    ColliderBuilder, Group, InteractionGroups, InteractionTestMode, MassProperties, PhysicsWorld,
+    RigidBodyBuilder, RigidBodyHandle,
 };
 
 pub(crate) struct RobotBody {
@@ -23,6 +25,25 @@ pub(crate) struct RobotBody {
     pub(crate) state: RobotState,
     pub(crate) last: RobotLoad,
 }
+
+/// What a robot touches with: the circles of its body, or its base.
+fn outline(parameters: &Parameters) -> Vec<ColliderBuilder> {
+    let Some(body) = parameters.robot.body else {
+        let base = parameters.base;
+        let square = ColliderBuilder::cuboid(base.half_side, base.half_side);
+        return vec![square.translation(vector(Point::new(-base.behind_axle, 0.0)))];
+    };
+    let own = InteractionGroups::new(ROBOTS, Group::ALL, InteractionTestMode::And);
+    let ball = |circle: &BodyCircle| {
+        ColliderBuilder::ball(circle.radius)
+            .translation(vector(circle.center))
+            .collision_groups(own)
+    };
+    body.circles().iter().map(ball).collect()
+}
+
+/// The group of robots with a body, which links of the net within it do not touch.
+pub(crate) const ROBOTS: Group = Group::GROUP_1;
 
 impl RobotBody {
     pub(crate) fn insert(
@@ -42,13 +63,14 @@ impl RobotBody {
                 physics.robot_inertia,
             ))
             .can_sleep(false);
-        let base = parameters.base;
-        let collider = ColliderBuilder::cuboid(base.half_side, base.half_side)
-            .translation(vector(Point::new(-base.behind_axle, 0.0)))
-            .density(0.0)
-            .friction(physics.contact_friction)
-            .user_data(tag);
-        let (handle, _) = world.insert(body, collider);
+        let handle = world.insert_body(body);
+        for collider in outline(parameters) {
+            let collider = collider
+                .density(0.0)
+                .friction(physics.contact_friction)
+                .user_data(tag);
+            world.insert_collider(collider, Some(handle));
+        }
         let axle_inertia = 1.0
             / (1.0 / physics.robot_mass
                 + physics.center_of_mass * physics.center_of_mass / physics.robot_inertia);

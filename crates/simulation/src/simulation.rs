@@ -98,7 +98,7 @@ impl Simulation {
     pub fn step(&mut self, drive: [RobotDrive; 2]) -> Result<(), SimulationError> {
         let every = (SLEEP_INTERVAL / self.inner.time_step).round().max(1.0) as u64;
         if self.steps.is_multiple_of(every) {
-            let reach = self.inner.robot.radius;
+            let reach = self.inner.robot.circles().reach();
             let discs = self
                 .robots
                 .each_ref()

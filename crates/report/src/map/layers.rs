@@ -187,12 +187,15 @@ fn ribbon(w: &mut Writer, side: &str, ribbon: Option<&Ribbon>, to: &Projection) 
     );
 }
 
-/// A robot seen from above: its circle, where it faces, and where the net is tied.
+/// A robot seen from above: its circles, where it faces, and where the net is tied.
 fn robot_at(w: &mut Writer, class: &str, pose: Pose, robot: &Robot, to: &Projection) {
     w.open("g", &[("class", &format_args!("robot {class}"))]);
-    circle(w, "body", pose.position(), robot.radius, to);
+    for c in robot.circles().circles() {
+        circle(w, "body", c.center_at(pose), c.radius, to);
+    }
     // The middle is kept free for the robot's letter.
-    let nose = [0.55, 1.0].map(|share| pose.position() + pose.forward() * (share * robot.radius));
+    let front = robot.circles().front();
+    let nose = [0.55, 1.0].map(|share| pose.position() + pose.forward() * (share * front));
     path(w, "nose", to.path(nose));
     circle(
         w,

@@ -30,7 +30,8 @@ impl View {
             Some(_) => Bounds::of(&free.chain(robots).collect::<Vec<_>>()),
             None => area,
         };
-        let view = used.grown(outline.robot.radius + 0.02 * (used.max - used.min).norm());
+        let view =
+            used.grown(outline.robot.circles().reach() + 0.02 * (used.max - used.min).norm());
         Self {
             min: view.min,
             max: view.max,

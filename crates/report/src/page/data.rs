@@ -4,7 +4,7 @@ use crate::axis::{decade, power_of_ten};
 use crate::map::View;
 use pairtrawl_geometry::{Point, Pose};
 use pairtrawl_model::numbers::LengthUnit;
-use pairtrawl_model::{Footprint, Frames, Panel, Role, Sampling, Summary};
+use pairtrawl_model::{BodyCircle, Footprint, Frames, Panel, Role, Sampling, Summary};
 use serde_json::{Value, json};
 
 /// Resolutions of packed angles, rad, and times, s. The script knows them too.
@@ -68,11 +68,16 @@ fn data(summary: &Summary) -> Value {
             }
         })
         .collect();
+    let body = summary.outline.robot.circles();
+    let triple = |c: &BodyCircle| [c.center.x, c.center.y, c.radius];
+    let circles: Vec<_> = body.circles().iter().map(triple).collect();
     json!({
         "view": [view.min.x, view.min.y, view.max.x, view.max.y],
         "axis": {"name": axis.name, "perMeter": axis.per_meter},
         "lengthUnit": unit,
         "radius": summary.outline.robot.radius,
+        "body": circles,
+        "front": body.front(),
         "hitch": summary.outline.robot.hitch,
         "motions": motions,
         "times": times,
