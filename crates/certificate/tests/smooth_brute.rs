@@ -1,10 +1,15 @@
 //! Margins on both readings against dense samples of the curve, on random drives.
 
+#![allow(
+    clippy::disallowed_methods,
+    reason = "tests compare with the standard library"
+)]
+
 mod support;
 
 use pairtrawl_certificate::{Clearance, certify};
 use pairtrawl_geometry::{Hull, Point, Pose, Segment, wrap_angle};
-use pairtrawl_model::{ClaimId, PairPose, PairTrajectory, Side};
+use pairtrawl_model::{Body, BodyCircle, ClaimId, Object, PairPose, PairTrajectory, Robot, Side};
 use pairtrawl_reference::Reference;
 use support::Case;
 use support::build::hall;
@@ -59,6 +64,36 @@ fn drive(random: &mut Random) -> Case {
     case
 }
 
+/// The least of `gap` at the centers of a robot's circles, less their radii. Centers are found by a rotation matrix.
+fn of_circles(robot: &Robot, pose: Pose, gap: &dyn Fn(Point) -> f64) -> f64 {
+    let disc = [[0.0, 0.0, robot.radius]];
+    let body = robot.body.map(|body| {
+        let triple = |c: &BodyCircle| [c.center.x, c.center.y, c.radius];
+        body.circles().iter().map(triple).collect::<Vec<_>>()
+    });
+    let (sin, cos) = pose.heading.sin_cos();
+    let circles = body.unwrap_or_else(|| disc.to_vec());
+    let gaps = circles.into_iter().map(|[x, y, radius]| {
+        gap(Point::new(
+            pose.x + cos * x - sin * y,
+            pose.y + sin * x + cos * y,
+        )) - radius
+    });
+    gaps.fold(f64::INFINITY, f64::min)
+}
+
+/// One to four circles, wherever: the certificate does not care whether they make a machine.
+fn any_body(random: &mut Random) -> Body {
+    let mut circles = Vec::new();
+    for _ in 0..1 + random.below(4) {
+        circles.push(BodyCircle {
+            center: Point::new(random.within(-0.3, 0.3), random.within(-0.1, 0.1)),
+            radius: random.within(0.03, 0.2),
+        });
+    }
+    Body::of(&circles).unwrap()
+}
+
 /// The least margin of a claim among dense samples of the pair's motion, for the steps that the claim is about.
 fn sampled(case: &Case, id: ClaimId, pose: impl Fn(Side, usize, f64) -> Pose) -> f64 {
     let (scene, length) = (&case.scene, case.net_length);
@@ -79,20 +114,27 @@ fn sampled(case: &Case, id: ClaimId, pose: impl Fn(Side, usize, f64) -> Pose) ->
             let each = |f: &dyn Fn(Pose) -> f64| f(pair[0]).min(f(pair[1]));
             let margin = match id {
                 ClaimId::RobotClearance => each(&|p| {
-                    clearance.distance(&Hull::of(&[p.position()])).unwrap() - robot.radius
+                    of_circles(robot, p, &|c| clearance.distance(&Hull::of(&[c])).unwrap())
                 }),
                 ClaimId::RobotsMissObjects => each(&|p| {
-                    let gaps = scene.objects.iter().map(|o| {
-                        o.position.distance(p.position()) - o.footprint_radius() - robot.radius
-                    });
-                    gaps.fold(f64::INFINITY, f64::min)
+                    of_circles(robot, p, &|c| {
+                        let gap = |o: &Object| o.position.distance(c) - o.footprint_radius();
+                        scene.objects.iter().map(gap).fold(f64::INFINITY, f64::min)
+                    })
+                }),
+                ClaimId::RobotsApart => of_circles(robot, pair[0], &|left| {
+                    of_circles(robot, pair[1], &|right| left.distance(right))
                 }),
                 ClaimId::NetEnclosesNoObstacle => {
                     clearance.distance(&Hull::of(&[l, r])).unwrap().max(0.0)
                 }
                 ClaimId::Separation => {
                     let d = l.distance(r);
-                    (d - (0.1 * length).max(2.0 * robot.radius)).min(length - d)
+                    let least = match robot.body {
+                        None => (0.1 * length).max(2.0 * robot.radius),
+                        Some(_) => 0.1 * length,
+                    };
+                    (d - least).min(length - d)
                 }
                 ClaimId::NetReach => {
                     let [a, b] = pair.map(|p| p.hitch_point(robot.hitch));
@@ -141,10 +183,27 @@ fn passed(case: &Case, p: Point, pose: impl Fn(Side, usize, f64) -> Pose) -> Opt
 
 #[test]
 fn margins_are_those_of_dense_samples_and_never_more() {
-    let mut random = Random(9);
+    compare(9, |_| None);
+}
+
+#[test]
+fn margins_of_bodies_are_those_of_dense_samples_and_never_more() {
+    compare(10, |random| Some(any_body(random)));
+}
+
+fn compare(seed: u64, body: impl Fn(&mut Random) -> Option<Body>) {
+    let mut random = Random(seed);
     let mut smooth_is_tighter = 0;
     for round in 0..60 {
-        let case = drive(&mut random);
+        let mut case = drive(&mut random);
+        if let Some(body) = body(&mut random) {
+            case.scene.robot = case.scene.robot.with_body(body);
+        }
+        let smallest = {
+            let circles = case.scene.robot.circles();
+            let radii = circles.circles().iter().map(|c| c.radius);
+            radii.fold(f64::INFINITY, f64::min)
+        };
         let r = Reference::of_scene(&case.scene, &case.trajectory).unwrap();
         let certificate = certify(&case.scene, case.net_length, &case.trajectory, Some(&r));
         let linear = certify(&case.scene, case.net_length, &case.trajectory, None);
@@ -162,6 +221,7 @@ fn margins_are_those_of_dense_samples_and_never_more() {
             let compared = match id {
                 ClaimId::RobotClearance
                 | ClaimId::RobotsMissObjects
+                | ClaimId::RobotsApart
                 | ClaimId::Separation
                 | ClaimId::NetReach
                 | ClaimId::InsideArea
@@ -173,7 +233,7 @@ fn margins_are_those_of_dense_samples_and_never_more() {
             // The depth of an overlap is not a distance, but an overlap is one.
             let overlaps = match id {
                 ClaimId::NetEnclosesNoObstacle => compared <= 0.0,
-                ClaimId::RobotClearance => compared <= -case.scene.robot.radius,
+                ClaimId::RobotClearance => compared <= -smallest,
                 _ => false,
             };
             if overlaps {
