@@ -13,6 +13,7 @@ mod planning;
 mod rehearse;
 mod run;
 mod schemas;
+mod show;
 mod values;
 
 pub use check::CheckArguments;
@@ -28,6 +29,7 @@ pub use planning::{Order, PlanningArguments};
 pub use rehearse::RehearseArguments;
 pub use run::RunArguments;
 pub use schemas::SchemasArguments;
+pub use show::ShowArguments;
 
 use clap::{Parser, Subcommand};
 
@@ -42,6 +44,7 @@ use clap::{Parser, Subcommand};
     after_help = "Examples:
   pairtrawl demo                        plan the paper's simulation; no file needed
   pairtrawl new my-hall                 a commented scene to start from
+  pairtrawl show my-hall/scene.toml     a picture of it
   pairtrawl plan my-hall/scene.toml     plan it: plan.json, plan.csv, TUM files, plan.svg, report.html
   pairtrawl check my-hall/scene.toml out/plan.json
 
@@ -65,6 +68,8 @@ pub enum Command {
     Plan(PlanArguments),
     /// Prove a plan again from its scene and its two trajectories alone
     Check(CheckArguments),
+    /// Draw a scene before it is planned
+    Show(ShowArguments),
     /// Plan the paper's simulation, embedded in the program
     Demo(DemoArguments),
     /// Drive a plan in physics: net, objects, contacts
@@ -94,6 +99,7 @@ impl Command {
         match self {
             Self::Plan(_) => "plan",
             Self::Check(_) => "check",
+            Self::Show(_) => "show",
             Self::Demo(_) => "demo",
             Self::Rehearse(_) => "rehearse",
             Self::Run(_) => "run",

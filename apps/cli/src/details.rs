@@ -87,6 +87,16 @@ pub struct TriedObject {
     message: String,
 }
 
+impl From<&Proof> for ProofObject {
+    fn from(proof: &Proof) -> Self {
+        Self {
+            kind: proof.kind.name(),
+            object: proof.object(),
+            text: proof.message.clone(),
+        }
+    }
+}
+
 impl Details {
     /// What an error of planning is about.
     pub fn of(error: &PlanError) -> Self {
@@ -120,13 +130,8 @@ impl Details {
 
     /// The thing and the amount of the first proof, and all of them.
     fn of_proofs(proofs: &[Proof]) -> Self {
-        let object = |proof: &Proof| ProofObject {
-            kind: proof.kind.name(),
-            object: proof.object(),
-            text: proof.message.clone(),
-        };
         Self {
-            proofs: proofs.iter().map(object).collect(),
+            proofs: proofs.iter().map(ProofObject::from).collect(),
             ..(proofs.first()).map_or_else(Self::default, |first| Self::of_proof(&first.kind))
         }
     }
@@ -143,29 +148,27 @@ impl Details {
 
     fn of_proof(kind: &ProofKind) -> Self {
         let details = match *kind {
-            ProofKind::NetTooShort { needed } => Self::needing(needed),
-            ProofKind::NetTooLong { most } => Self::needing(most),
-            ProofKind::TooFewWaypoints { needed } => Self::needing(needed as f64),
-            ProofKind::WayCut { place, width } => Self {
+            ProofKind::NetTooShort { needed, .. } => Self::needing(needed),
+            ProofKind::NetTooLong { most, .. } => Self::needing(most),
+            ProofKind::TooFewWaypoints { needed, .. } => Self::needing(needed as f64),
+            ProofKind::WayCut { place, width, .. } => Self {
                 gap: Some(width),
                 ..Self::at(Some(place))
             },
-            ProofKind::ObjectTooWide { object, needed } => Self {
+            ProofKind::ObjectTooWide { object, needed, .. } => Self {
                 object: Some(object),
                 ..Self::needing(needed)
             },
-            ProofKind::ObjectEnclosed { object } => Self {
+            ProofKind::ObjectEnclosed { object, .. } => Self {
                 object: Some(object),
                 ..Self::default()
             },
-            ProofKind::ObjectAtEdge { object, gap } | ProofKind::ObjectPinned { object, gap } => {
-                Self {
-                    object: Some(object),
-                    gap: Some(gap),
-                    ..Self::default()
-                }
-            }
-            _ => Self::default(),
+            ProofKind::ObjectAtEdge { object, gap, .. }
+            | ProofKind::ObjectPinned { object, gap, .. } => Self {
+                object: Some(object),
+                gap: Some(gap),
+                ..Self::default()
+            },
         };
         Self {
             proof: Some(kind.name()),

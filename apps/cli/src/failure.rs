@@ -130,6 +130,9 @@ impl fmt::Display for Failure {
         if let Some(help) = &self.help {
             write!(f, "\n  help: {help}")?;
         }
+        if !self.details.files.is_empty() {
+            write!(f, "\n  wrote {}", self.details.files.join(", "))?;
+        }
         if let Some(folder) = &self.details.set_aside {
             write!(
                 f,

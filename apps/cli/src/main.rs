@@ -5,6 +5,7 @@ mod commands;
 mod details;
 mod earlier;
 mod exit;
+mod failed;
 mod failure;
 mod interrupt;
 mod objects;
@@ -29,6 +30,7 @@ fn main() {
         Command::Plan(plan) => commands::plan(plan),
         Command::Check(check) => commands::check(check),
         Command::Demo(demo) => commands::demo(demo),
+        Command::Show(show) => commands::show(show),
         Command::Rehearse(rehearse) => commands::rehearse(rehearse),
         Command::Run(run) => commands::run(run),
         Command::MonteCarlo(monte_carlo) => commands::monte_carlo(monte_carlo),

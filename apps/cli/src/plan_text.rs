@@ -1,7 +1,7 @@
 //! A finished summary as text for the terminal.
 
 use pairtrawl::model::numbers::{cost, duration, index_list, length, place, quantity, residual};
-use pairtrawl::model::{ClaimSummary, LeftWhy, Rehearsal, Summary};
+use pairtrawl::model::{ClaimSummary, LeftOut, LeftWhy, Rehearsal, Summary};
 use std::fmt::Write;
 
 /// How many of the tightest claims the terminal shows.
@@ -90,32 +90,8 @@ pub fn plan_text(summary: &Summary) -> String {
 
 /// What is gathered and what is left, each object with its reason; nothing where everything is gathered.
 fn left_text(summary: &Summary) -> String {
-    let mut text = String::new();
     let left = &summary.left_out;
-    if left.is_empty() {
-        return text;
-    }
-    let objects = summary.outline.objects.len();
-    let _ = writeln!(
-        text,
-        "  gathers    {} of {objects} objects, {} LEFT",
-        summary.gathers(),
-        left.len()
-    );
-    for why in LeftWhy::ALL {
-        let of_kind: Vec<usize> = (left.iter().filter(|l| l.why == why))
-            .map(|l| l.object)
-            .collect();
-        if !of_kind.is_empty() {
-            let _ = writeln!(
-                text,
-                "    {:<10} {}: {}",
-                "",
-                why.describe(),
-                index_list(&of_kind)
-            );
-        }
-    }
+    let mut text = left_summary(left, summary.outline.objects.len());
     for left in left.iter().take(MOST_REASONS) {
         let _ = writeln!(text, "    {}", left.text);
     }
@@ -125,6 +101,26 @@ fn left_text(summary: &Summary) -> String {
             "    and {} more, each with its reason in plan.json and report.html",
             left.len() - MOST_REASONS
         );
+    }
+    text
+}
+
+/// How many of the scene's objects are gathered, and which are left on what grounds; nothing where none is left.
+pub fn left_summary(left: &[LeftOut], objects: usize) -> String {
+    if left.is_empty() {
+        return String::new();
+    }
+    let mut text = format!(
+        "  gathers    {} of {objects} objects, {} LEFT\n",
+        objects.saturating_sub(left.len()),
+        left.len()
+    );
+    for why in LeftWhy::ALL {
+        let of_kind = left.iter().filter(|l| l.why == why).map(|l| l.object);
+        let of_kind: Vec<usize> = of_kind.collect();
+        if !of_kind.is_empty() {
+            let _ = writeln!(text, "    {}: {}", why.describe(), index_list(&of_kind));
+        }
     }
     text
 }

@@ -16,6 +16,20 @@ pub struct Results<'a> {
 }
 
 impl Results<'_> {
+    /// Moves the results of an earlier run out of the way before this one writes that it failed; the folder that they are in
+    /// now, when there were any.
+    pub fn set_aside(&self) -> Option<String> {
+        earlier::set_aside().map(|folder| folder.display().to_string())
+    }
+
+    /// Removes files that an earlier run left and that this one does not write.
+    pub fn clear(&self, names: &[&str]) {
+        for name in names {
+            // Only succeeds where there is one.
+            let _ = std::fs::remove_file(self.folder.join(name));
+        }
+    }
+
     /// Writes files, each atomically, in the order given; Ctrl-C waits until it is done.
     pub fn write(&self, contents: &[(&str, impl AsRef<[u8]>)]) -> Result<Vec<PathBuf>, Failure> {
         interrupt::while_writing(|| {
@@ -55,8 +69,8 @@ pub fn in_folder(
         Ok(()) => {
             earlier::work_for(folder, names);
             work(&Results { folder }).map_err(|mut failure| {
-                failure.details.set_aside =
-                    earlier::set_aside().map(|folder| folder.display().to_string());
+                let aside = earlier::set_aside().map(|folder| folder.display().to_string());
+                failure.details.set_aside = failure.details.set_aside.take().or(aside);
                 failure
             })
         }

@@ -35,6 +35,7 @@
 mod enclosed;
 mod free_space;
 mod joined;
+mod least_move;
 mod narrowest;
 mod net_too_long;
 mod net_too_short;
@@ -43,20 +44,27 @@ mod proof;
 mod things;
 mod too_few_waypoints;
 mod too_wide;
+mod verify;
 mod way_cut;
 
 use crate::limits::COORDINATE_LIMIT;
 use enclosed::Verdict;
 use free_space::FreeSpace;
+pub use least_move::Move;
 use pairtrawl_geometry::Point;
 use pairtrawl_model::Scene;
-pub use proof::{Proof, ProofKind};
+pub use proof::{GridEvidence, Proof, ProofKind};
 use things::Things;
 pub use too_few_waypoints::too_few_waypoints;
+pub use verify::{Refusal, verify};
 
 /// Lines of sight are not looked at on cells with a diagonal below this, in units of the length scale: what is still open
 /// then stays unproven.
 const FINEST_VIEW: f64 = 0.03;
+
+/// The widest way to an enclosed object and the least move that would help are found for this many of them: they take
+/// longer than the proof.
+const MOST_IN_WORDS: usize = 8;
 
 /// Looks for proofs that no plan for this scene can be valid: one that is not about an object, or none, then the objects
 /// that provably cannot be swept, ascending, one proof each; all of them, where none of the first kind ends the search. Objects that are left need none. `net_length` (m) is the
@@ -75,8 +83,8 @@ pub fn prove(scene: &Scene, net_length: Option<f64>) -> Vec<Proof> {
         return vec![proof];
     }
     let mut about = vec![None; scene.objects.len()];
-    let too_wide = net_length.map_or_else(Vec::new, |length| too_wide::prove(scene, length));
-    for proof in too_wide.into_iter().chain(pinned::prove(&things)) {
+    let too_wide = net_length.map(|length| too_wide::prove(scene, length));
+    for proof in too_wide.into_iter().flatten().chain(pinned::prove(&things)) {
         if let Some(object) = proof.object() {
             about[object].get_or_insert(proof);
         }
@@ -93,18 +101,29 @@ fn ways(
     about: &mut [Option<Proof>],
 ) -> Option<Proof> {
     let scene = things.scene;
+    let mut in_words = 0;
     let mut space = FreeSpace::new(things);
     let wanted = |&i: &usize| !scene.objects[i].leave && about[i].is_none();
     let mut open: Vec<usize> = (0..scene.objects.len()).filter(wanted).collect();
     loop {
         let reached = space.reach(scene)?;
         if let Some(robot) = reached.robot_without_way(&space, scene) {
-            return Some(way_cut::proof(things, robot));
+            return Some(way_cut::proof(things, &space, &reached, robot));
         }
         let mut undecided = Vec::new();
         for object in open {
-            match enclosed::judge(things, &space, &reached, object, net_length) {
-                Verdict::Enclosed(proof) => about[object] = Some(proof),
+            match enclosed::judge(
+                things,
+                &space,
+                &reached,
+                object,
+                net_length,
+                in_words < MOST_IN_WORDS,
+            ) {
+                Verdict::Enclosed(proof) => {
+                    about[object] = Some(proof);
+                    in_words += 1;
+                }
                 Verdict::Reachable => {}
                 Verdict::Open => undecided.push(object),
             }

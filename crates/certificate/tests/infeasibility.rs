@@ -43,7 +43,7 @@ fn a_net_shorter_than_the_start_is_named_with_the_length_that_would_do() {
     scene.start.left.heading = -0.3;
     scene.start.right.heading = 0.3;
     let needed = 0.8 + 2.0 * 0.207 * 0.3_f64.sin();
-    let ProofKind::NetTooShort { needed: found } = proven(&scene, Some(0.9)).kind else {
+    let ProofKind::NetTooShort { needed: found, .. } = proven(&scene, Some(0.9)).kind else {
         panic!("wrong kind")
     };
     assert!((found - needed).abs() < 1e-12);
@@ -62,7 +62,7 @@ fn a_net_too_short_to_pass_over_an_object_is_named() {
     let needed = 2.0 * 0.24 + 0.05_f64.hypot(0.05);
     assert!(matches!(
         proven(&scene, Some(needed - 0.001)).kind,
-        ProofKind::ObjectTooWide { object: 0, needed: found } if (found - needed).abs() < 1e-12
+        ProofKind::ObjectTooWide { object: 0, needed: found, .. } if (found - needed).abs() < 1e-12
     ));
     assert_eq!(prove(&scene, Some(needed + 0.001)), None);
 }
@@ -79,7 +79,7 @@ fn gapped(gap: f64) -> Scene {
 fn a_gap_below_two_radii_cuts_the_way_and_a_wider_one_does_not() {
     for gap in [0.0, 0.1, 0.3, 0.44, 0.46] {
         let proof = proven(&gapped(gap), None);
-        let ProofKind::WayCut { place, width } = proof.kind else {
+        let ProofKind::WayCut { place, width, .. } = proof.kind else {
             panic!("wrong kind: {proof:?}")
         };
         assert!((width - gap).abs() < 0.01, "gap {gap}: {width}");
@@ -195,7 +195,10 @@ fn an_object_behind_walls_is_enclosed() {
         (1.2, 0.3, Some(1.7)),
     ] {
         let proof = proven(&boxed(inner, gap), net);
-        assert_eq!(proof.kind, ProofKind::ObjectEnclosed { object: 0 });
+        assert!(matches!(
+            proof.kind,
+            ProofKind::ObjectEnclosed { object: 0, .. }
+        ));
     }
     // Open enough for robots, on both sides of the object.
     assert_eq!(prove(&boxed(1.2, 1.0), Some(2.0)), None);
@@ -233,10 +236,10 @@ fn an_object_behind_a_nonconvex_obstacle_is_enclosed() {
         ring.map(|(x, y)| Point::new(x, y)).to_vec(),
     ));
     scene.objects.push(cube(5.0, 4.0));
-    assert_eq!(
+    assert!(matches!(
         proven(&scene, None).kind,
-        ProofKind::ObjectEnclosed { object: 0 }
-    );
+        ProofKind::ObjectEnclosed { object: 0, .. }
+    ));
 }
 
 #[test]
@@ -253,6 +256,7 @@ fn an_object_close_to_an_obstacle_is_pinned_unless_the_start_or_end_line_passes_
         let ProofKind::ObjectPinned {
             object: 0,
             gap: found,
+            ..
         } = proof.kind
         else {
             panic!("wrong kind: {proof:?}")
@@ -278,7 +282,7 @@ fn a_net_too_long_for_the_ends_is_named_with_the_length_that_would_do() {
     let mut scene = hall(6.0, 4.0, 2.0, 5.0);
     scene.end.right.y += 0.1;
     let proof = proven(&scene, Some(8.0));
-    let ProofKind::NetTooLong { most } = proof.kind else {
+    let ProofKind::NetTooLong { most, .. } = proof.kind else {
         panic!("wrong kind: {proof:?}")
     };
     assert!((most - 7.0).abs() < 1e-9);
@@ -311,6 +315,7 @@ fn an_object_close_to_the_edge_of_the_area_is_pinned_there() {
         let ProofKind::ObjectAtEdge {
             object: 0,
             gap: found,
+            ..
         } = proof.kind
         else {
             panic!("wrong kind: {proof:?}")

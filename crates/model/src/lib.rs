@@ -8,6 +8,7 @@ mod certificate;
 mod claim_id;
 mod cost;
 mod execution;
+mod failed;
 mod left_out;
 pub mod numbers;
 mod parameters;
@@ -32,6 +33,7 @@ pub use execution::{
     ControlSample, ControllerKind, DragStatistics, Execution, ExecutionEvent, ExecutionEventKind,
     TrackingStatistics, Trial, TrialConditions,
 };
+pub use failed::{FailedSummary, Mark};
 pub use left_out::{Leave, LeftOut, LeftWhy};
 pub use parameters::PlannerParameters;
 pub use physics::PhysicsParameters;

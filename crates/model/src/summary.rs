@@ -2,8 +2,8 @@
 //! already computed. Reports render it and compute nothing, so all of them show the same numbers.
 
 use crate::{
-    Area, Circle, Claim, Cost, LeftOut, Object, Obstacle, PairPose, PairTrajectory, Rehearsal,
-    Robot, SolverReport, TrackingStatistics, Warning,
+    Area, Circle, Claim, Cost, LeftOut, Mark, Object, Obstacle, PairPose, PairTrajectory,
+    Rehearsal, Robot, SolverReport, TrackingStatistics, Warning,
 };
 use pairtrawl_geometry::{Point, Pose};
 use std::fmt;
@@ -55,6 +55,8 @@ pub struct Summary {
     pub stages: Vec<StageTime>,
     /// Warnings for people.
     pub warnings: Vec<Warning>,
+    /// Places on the map that are to be seen; none on the map of a plan.
+    pub marks: Vec<Mark>,
     /// The rehearsal in motion, when there was one.
     pub frames: Option<Frames>,
     /// An execution of the plan, when there was one.

@@ -264,10 +264,7 @@ impl Attempt {
             });
         }
         let overrides = Overrides {
-            net_length: options.net_length.map(|length| match length {
-                NetLength::Auto => None,
-                NetLength::Fixed(length) => Some(length),
-            }),
+            net_length: options.net_length.map(NetLength::fixed),
             leave: options.leave,
         };
         let candidate = Candidate {

@@ -56,6 +56,7 @@
 
 mod attempt;
 mod check;
+mod check_proofs;
 mod clock;
 mod common_start;
 mod error;
@@ -71,6 +72,7 @@ mod options;
 mod plan;
 mod planner;
 mod prepare;
+mod preview;
 mod rehearse;
 mod run;
 mod separation_study;
@@ -80,6 +82,7 @@ mod summary;
 mod tighten;
 
 pub use check::{Candidate, check};
+pub use check_proofs::{CheckedProofs, check_proofs};
 pub use error::{BadInput, NoPlan, PlanError};
 pub use infeasible::Infeasible;
 pub use judge::judge;
@@ -98,6 +101,9 @@ pub use pairtrawl_trajopt as trajopt;
 pub use pairtrawl_world as world;
 pub use plan::{Planned, plan};
 pub use planner::Planner;
+pub use preview::{Preview, preview};
 pub use rehearse::{Rehearsed, rehearse, rehearse_trajectory};
 pub use separation_study::{SeparationStudy, separation_study};
-pub use summary::{claim_summaries, summarize, summarize_execution};
+pub use summary::{
+    claim_summaries, summarize, summarize_execution, summarize_failure, summarize_scene,
+};

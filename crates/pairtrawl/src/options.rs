@@ -58,8 +58,7 @@ impl PlanOptions {
     pub(crate) fn net_length_for(&self, scene: &Scene) -> Option<f64> {
         match self.net_length {
             None => scene.net.length,
-            Some(NetLength::Auto) => None,
-            Some(NetLength::Fixed(length)) => Some(length),
+            Some(length) => length.fixed(),
         }
     }
 
@@ -91,6 +90,16 @@ pub enum NetLength {
     Auto,
     /// This one, m.
     Fixed(f64),
+}
+
+impl NetLength {
+    /// d_max, m; `None`: the planner chooses it.
+    pub const fn fixed(self) -> Option<f64> {
+        match self {
+            Self::Auto => None,
+            Self::Fixed(length) => Some(length),
+        }
+    }
 }
 
 /// How the visiting order is found.

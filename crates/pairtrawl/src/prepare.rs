@@ -29,6 +29,21 @@ pub(crate) struct Prepared<'a> {
     pub left_out: Vec<LeftOut>,
 }
 
+/// The proofs that no plan gathers everything; `None` where there are none.
+pub(crate) fn proofs(scene: &Scene, options: &PlanOptions) -> Option<Infeasible> {
+    let mut proofs = infeasibility::prove(scene, options.net_length_for(scene));
+    if proofs.iter().all(|proof| proof.object().is_some())
+        && let Some(waypoints) = options.waypoints_for(scene)
+        && let Some(proof) = infeasibility::too_few_waypoints(scene, waypoints)
+    {
+        proofs.insert(0, proof);
+    }
+    (!proofs.is_empty()).then(|| Infeasible {
+        proofs,
+        wanted: scene.wanted(),
+    })
+}
+
 /// Looks for proofs that there is no plan, leaves the objects that cannot be swept where the options say so, and builds the
 /// world.
 pub(crate) fn prepare<'a>(
@@ -36,30 +51,16 @@ pub(crate) fn prepare<'a>(
     options: &'a PlanOptions,
     run: &mut Run,
 ) -> Result<Prepared<'a>, PlanError> {
-    let net_length = options.net_length_for(scene);
-    let proofs = run.stage(Stage::Proofs, || {
-        let mut proofs = infeasibility::prove(scene, net_length);
-        if proofs.iter().all(|proof| proof.object().is_some())
-            && let Some(waypoints) = options.waypoints_for(scene)
-            && let Some(proof) = infeasibility::too_few_waypoints(scene, waypoints)
-        {
-            proofs.insert(0, proof);
+    let infeasible = run.stage(Stage::Proofs, || proofs(scene, options))?;
+    let (scene, left_out) = match infeasible {
+        None => (Cow::Borrowed(scene), Vec::new()),
+        Some(some) if options.leave_for(scene) == Leave::Unreachable && some.can_leave() => {
+            let marked = scene.leaving(some.objects());
+            (Cow::Owned(marked), some.left_out())
         }
-        proofs
-    })?;
-    let infeasible = Infeasible {
-        proofs,
-        wanted: scene.wanted(),
+        Some(infeasible) => return Err(PlanError::Infeasible(infeasible)),
     };
-    let may_leave = options.leave_for(scene) == Leave::Unreachable && infeasible.can_leave();
-    if !infeasible.proofs.is_empty() && !may_leave {
-        return Err(PlanError::Infeasible(infeasible));
-    }
-    let left_out = infeasible.left_out();
-    let scene = match left_out.is_empty() {
-        true => Cow::Borrowed(scene),
-        false => Cow::Owned(scene.leaving(infeasible.objects())),
-    };
+    let net_length = options.net_length_for(&scene);
     let scales = Scales::of(&scene);
     let scaled = scales.scene(&scene);
     let net_length = net_length.map(|length| scales.scaled(length));

@@ -2,12 +2,14 @@
 
 mod claims;
 mod execution;
+mod failed;
 mod frames;
 mod panels;
 mod rings;
 
 pub use claims::claim_summaries;
 pub use execution::summarize_execution;
+pub use failed::{summarize_failure, summarize_scene};
 
 use crate::check::without_left;
 use pairtrawl_geometry::{Point, Segment, SweptLine};
@@ -66,7 +68,10 @@ pub fn summarize(
         swept_at: scene
             .objects
             .iter()
-            .map(|o| swept_at(trajectory, &times, o.position))
+            .map(|o| match o.leave {
+                true => None,
+                false => swept_at(trajectory, &times, o.position),
+            })
             .collect(),
         panels,
         cost: plan.cost,
@@ -75,6 +80,7 @@ pub fn summarize(
         solver: plan.solver.clone(),
         stages: stages.to_vec(),
         warnings,
+        marks: Vec::new(),
         frames: rehearsal.and_then(|r| frames::of(&r.frames, events(r), scene)),
         execution: None,
         times,

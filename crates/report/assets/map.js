@@ -239,10 +239,11 @@
   const lying = [...document.querySelectorAll("#layer-objects > .object")];
   const shapes = data.objects.map((object) => {
     const group = svgElement("g", {}, movers);
-    if (object.radius) svgElement("circle", { class: "object", r: object.radius }, group);
+    const look = object.leave ? "object leave" : "object";
+    if (object.radius) svgElement("circle", { class: look, r: object.radius }, group);
     else {
       const [w, d] = object.size;
-      svgElement("path", { class: "object", d: `M${-w / 2} ${-d / 2}h${w}v${d}h${-w}Z` }, group);
+      svgElement("path", { class: look, d: `M${-w / 2} ${-d / 2}h${w}v${d}h${-w}Z` }, group);
     }
     return group;
   });

@@ -14,5 +14,5 @@ mod words;
 
 pub use csv::{length_csv, series_csv};
 pub use length_svg::length_svg;
-pub use page::report_html;
-pub use plan_svg::plan_svg;
+pub use page::{failed_html, report_html};
+pub use plan_svg::{failed_svg, plan_svg, scene_svg};

@@ -5,7 +5,7 @@ mod layers;
 mod legend;
 mod projection;
 
-pub(crate) use labels::labels;
+pub(crate) use labels::{labels, mark_name};
 pub(crate) use layers::Layer;
 pub(crate) use legend::{Sign, sign};
 pub(crate) use projection::{Projection, View};

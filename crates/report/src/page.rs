@@ -2,9 +2,12 @@
 
 mod certificate;
 mod data;
+mod failed;
 mod making;
 mod outcome;
 mod table;
+
+pub use failed::failed_html;
 
 use crate::map::{self, Layer, Projection, View};
 use crate::svg::{Rounded, Writer, escape};
@@ -27,11 +30,12 @@ pub fn report_html(summary: &Summary) -> String {
     let mut w = Writer::default();
     w.raw("<!DOCTYPE html>\n");
     w.open("html", &[("lang", &"en")]);
-    head(&mut w, summary);
+    head(&mut w, &summary.title);
     w.open("body", &[]);
     header(&mut w, summary);
     w.open("main", &[]);
     outcome::failures(&mut w, summary);
+    left_out(&mut w, summary);
     warnings(&mut w, summary);
     player(&mut w, summary);
     map_section(&mut w, summary);
@@ -61,14 +65,14 @@ pub fn report_html(summary: &Summary) -> String {
     w.finish()
 }
 
-fn head(w: &mut Writer, summary: &Summary) {
+fn head(w: &mut Writer, title: &str) {
     w.open("head", &[]);
     w.raw("<meta charset=\"utf-8\">\n");
     w.raw("<meta name=\"viewport\" content=\"width=device-width, initial-scale=1\">\n");
     w.raw("<meta name=\"color-scheme\" content=\"light dark\">\n");
     // An empty icon keeps browsers from asking a server for one.
     w.raw("<link rel=\"icon\" href=\"data:,\">\n");
-    w.text("title", &[], &format!("{} \u{b7} Pairtrawl", summary.title));
+    w.text("title", &[], &format!("{title} \u{b7} Pairtrawl"));
     w.raw("<style>\n");
     w.raw(map::STYLE);
     w.raw(STYLE);
@@ -81,6 +85,21 @@ fn header(w: &mut Writer, summary: &Summary) {
     w.text("h1", &[], &summary.title);
     w.text("p", &[("class", &"facts")], &words::facts(summary));
     outcome::badges(w, summary);
+    w.close();
+}
+
+/// The objects that are left where they are, each with its reason.
+fn left_out(w: &mut Writer, summary: &Summary) {
+    if summary.left_out.is_empty() {
+        return;
+    }
+    table::open_card(w, "left", "Left where they lie");
+    table::open_table(w, &["object", "why", "reason"]);
+    for left in &summary.left_out {
+        let object = left.object.to_string();
+        table::row(w, &object, &[left.why.describe(), &left.text]);
+    }
+    table::close_table(w);
     w.close();
 }
 

@@ -4,14 +4,16 @@ use crate::map::{self, Layer, Projection, Sign, View};
 use crate::svg::{Rounded, Writer};
 use crate::words;
 use pairtrawl_geometry::Point;
-use pairtrawl_model::Summary;
 use pairtrawl_model::numbers::LengthUnit;
+use pairtrawl_model::{FailedSummary, Summary};
 
 /// Greatest width and height of the map itself, px.
 const MOST: (f64, f64) = (1000.0, 760.0);
 /// Space around the map, px: for the vertical axis, the heading, the right border, the horizontal axis.
 const LEFT: f64 = 62.0;
 const TOP: f64 = 62.0;
+/// Space for a warning above the map, px.
+const WARNING: f64 = 20.0;
 const RIGHT: f64 = 20.0;
 const AXIS: f64 = 50.0;
 /// A legend entry, px.
@@ -22,12 +24,36 @@ const ENTRY: (f64, f64) = (158.0, 22.0);
 /// told apart by letters and dashes as well as by color; objects are numbered as in the scene, circles by their visits.
 /// Light or dark as the viewer prefers.
 pub fn plan_svg(summary: &Summary) -> String {
+    picture(summary, &words::facts(summary), None)
+}
+
+/// The picture of a scene before it is planned: obstacles, numbered objects, those hollow that cannot be swept, circles in
+/// visiting order, start and end.
+pub fn scene_svg(summary: &Summary) -> String {
+    picture(summary, &words::scene_facts(summary), None)
+}
+
+/// The picture of a scene for which there is no plan, with the best attempt where there is one and the places that are to
+/// be seen. It says that it is no plan.
+pub fn failed_svg(failed: &FailedSummary) -> String {
+    let summary = &failed.summary;
+    let facts = words::scene_facts(summary);
+    let warning = words::no_plan(failed);
+    picture(summary, &facts, Some(&warning))
+}
+
+/// A picture of whatever a summary holds, under facts and perhaps a warning.
+fn picture(summary: &Summary, facts: &str, warning: Option<&str>) -> String {
     let view = View::of(&summary.outline);
     let unit = view.unit();
     let scale = (MOST.0 / view.width()).min(MOST.1 / view.height());
+    let top = match warning {
+        Some(_) => TOP + WARNING,
+        None => TOP,
+    };
     let map = Frame {
         left: LEFT,
-        top: TOP,
+        top,
         width: scale * view.width(),
         height: scale * view.height(),
         x: (unit.per_meter * view.min.x, unit.per_meter * view.max.x),
@@ -41,7 +67,10 @@ pub fn plan_svg(summary: &Summary) -> String {
     let height = legend_top + rows as f64 * ENTRY.1 + 12.0;
 
     let mut w = Writer::default();
-    let title = format!("{}: {}", summary.title, words::facts(summary));
+    let title = match warning {
+        Some(warning) => format!("{}: {warning}", summary.title),
+        None => format!("{}: {facts}", summary.title),
+    };
     frame::open_picture(&mut w, width, height, &title, &[frame::STYLE, map::STYLE]);
     let n = |v: f64| Rounded(v, 1);
     let room = width - LEFT - RIGHT;
@@ -51,12 +80,20 @@ pub fn plan_svg(summary: &Summary) -> String {
         &[("class", &"head"), ("x", &LEFT), ("y", &"28")],
         &name,
     );
-    let facts = frame::fit(&words::facts(summary), room, 13.0);
+    let facts = frame::fit(facts, room, 13.0);
     w.text(
         "text",
         &[("class", &"quiet"), ("x", &LEFT), ("y", &"48")],
         &facts,
     );
+    if let Some(warning) = warning {
+        let warning = frame::fit(warning, room, 15.0);
+        w.text(
+            "text",
+            &[("class", &"warning"), ("x", &LEFT), ("y", &"70")],
+            &warning,
+        );
+    }
 
     let (left, top) = (n(map.left), n(map.top));
     let (map_width, map_height) = (n(map.width), n(map.height));
@@ -165,9 +202,24 @@ fn legend(summary: &Summary) -> Vec<(&'static str, Sign, &'static str)> {
         ),
         (Layer::Ribbons, "left ribbon", Sign::Patch, "driven, left"),
         (Layer::Ribbons, "right ribbon", Sign::Patch, "driven, right"),
+        (
+            Layer::Objects,
+            "object leave",
+            Sign::Square(8.0),
+            "left where it lies",
+        ),
+        (Layer::Marks, "mark", Sign::Disc(6.0), "look here"),
+        (Layer::Marks, "move", Sign::Line, "least move found"),
     ];
+    let objects = &summary.outline.objects;
+    let is_there = |class: &str| match class {
+        "object" => objects.iter().any(|object| !object.leave),
+        "object leave" => objects.iter().any(|object| object.leave),
+        "move" => summary.marks.iter().any(|mark| mark.toward.is_some()),
+        _ => true,
+    };
     all.into_iter()
-        .filter(|(layer, ..)| layer.is_present(summary))
+        .filter(|(layer, class, ..)| layer.is_present(summary) && is_there(class))
         .map(|(_, class, sign, label)| (class, sign, label))
         .collect()
 }

@@ -1,6 +1,8 @@
 //! Facts and verdicts in words.
 
-use pairtrawl_model::{Cost, Rehearsal, SolverReport, SolverStatus, Summary, numbers};
+use pairtrawl_model::{
+    Cost, FailedSummary, Rehearsal, SolverReport, SolverStatus, Summary, numbers,
+};
 
 /// The facts that head a picture or a page.
 pub(crate) fn facts(summary: &Summary) -> String {
@@ -8,14 +10,57 @@ pub(crate) fn facts(summary: &Summary) -> String {
         true => " (chosen)",
         false => "",
     };
+    let left = match summary.left_out.len() {
+        0 => String::new(),
+        left => format!(
+            "gathers {} of {} objects, {left} left \u{b7} ",
+            summary.gathers(),
+            summary.outline.objects.len()
+        ),
+    };
     format!(
-        "net {}{chosen} \u{b7} paths {} and {} \u{b7} {} to drive \u{b7} J {}",
+        "{left}net {}{chosen} \u{b7} paths {} and {} \u{b7} {} to drive \u{b7} J {}",
         numbers::length(summary.net_length),
         numbers::length(summary.left_length),
         numbers::length(summary.right_length),
         numbers::duration(summary.duration),
         cost(summary.cost.total()),
     )
+}
+
+/// The facts that head the picture of a scene.
+pub(crate) fn scene_facts(summary: &Summary) -> String {
+    let count = |n: usize, noun: &str| match n {
+        1 => format!("1 {noun}"),
+        n => format!("{n} {noun}s"),
+    };
+    let objects = &summary.outline.objects;
+    let left = objects.iter().filter(|object| object.leave).count();
+    let mut facts = count(objects.len(), "object");
+    if left > 0 {
+        facts += &format!(", {left} of them out of reach");
+    }
+    if !summary.circles.is_empty() {
+        let circles = count(summary.circles.len(), "circle");
+        let ordered = match summary.order.is_empty() {
+            true => "",
+            false => " in the order of visits",
+        };
+        facts += &format!(" \u{b7} {circles}{ordered}");
+    }
+    if summary.net_length.is_finite() {
+        facts += &format!(" \u{b7} net {}", numbers::length(summary.net_length));
+    }
+    facts
+}
+
+/// What a picture or page says at its head when there is no plan.
+pub(crate) fn no_plan(failed: &FailedSummary) -> String {
+    let attempt = match failed.summary.trajectory.is_empty() {
+        true => "",
+        false => "; this is the best attempt",
+    };
+    format!("NOT A PLAN: {}{attempt}", failed.verdict)
 }
 
 /// A number's text with a true minus sign.
@@ -86,7 +131,12 @@ pub(crate) fn solver(solver: &SolverReport) -> String {
 /// What the rehearsal said.
 pub(crate) fn rehearsal(summary: &Summary) -> String {
     match &summary.rehearsal {
-        Rehearsal::Passed => "passed: nothing was touched and every object came home".to_owned(),
+        Rehearsal::Passed if summary.left_out.is_empty() => {
+            "passed: nothing was touched and every object came home".to_owned()
+        }
+        Rehearsal::Passed => {
+            "passed: nothing was touched and every object that is not left came home".to_owned()
+        }
         Rehearsal::Failed { event, time, place } => {
             let (time, place) = (numbers::duration(*time), numbers::place(*place));
             format!("failed after {time} at {place}: {event}")

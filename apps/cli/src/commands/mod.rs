@@ -14,6 +14,7 @@ mod planning;
 mod rehearse;
 mod run;
 mod schemas;
+mod show;
 
 pub use check::check;
 pub use completions::completions;
@@ -27,6 +28,7 @@ pub use plan::plan;
 pub use rehearse::rehearse;
 pub use run::run;
 pub use schemas::schemas;
+pub use show::show;
 
 use crate::failure::Failure;
 use crate::output::Done;

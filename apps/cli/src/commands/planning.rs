@@ -2,6 +2,7 @@
 
 use crate::arguments::PlanningArguments;
 use crate::exit::Exit;
+use crate::failed;
 use crate::failure::Failure;
 use crate::objects::{ClaimObject, CostObject, LeftOutObject, RehearsalObject};
 use crate::output::{Done, Report, finite};
@@ -24,6 +25,9 @@ const FILES: &[&str] = &[
     "plan.csv",
     "left.tum",
     "right.tum",
+    failed::FILES[0],
+    failed::FILES[1],
+    failed::FILES[2],
 ];
 
 /// A plan in numbers.
@@ -120,14 +124,13 @@ fn plan_and_write(
     results: &Results<'_>,
 ) -> Result<Done, Failure> {
     let mut progress = Progress::new();
-    let planned = pairtrawl::plan(
-        &loaded.scene,
-        &loaded.reference,
-        &planning.options(),
-        &mut progress,
-    );
+    let options = planning.options();
+    let planned = pairtrawl::plan(&loaded.scene, &loaded.reference, &options, &mut progress);
     progress.finish();
-    let mut planned = planned?;
+    let mut planned = match planned {
+        Ok(planned) => planned,
+        Err(error) => return Err(failed::write(results, loaded, &options, error)),
+    };
     planned
         .plan
         .warnings
@@ -138,6 +141,7 @@ fn plan_and_write(
         &planned.stages,
         planned.rehearsal.as_ref(),
     );
+    results.clear(&failed::FILES);
     let files = write(results, &loaded.scene, &planned.plan, &summary)?;
     Report::new(command, Exit::Done, PlanReport::from(&summary))
         .scene(&summary.title)

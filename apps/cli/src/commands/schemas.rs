@@ -6,6 +6,7 @@ use super::monte_carlo::MonteCarloReport;
 use super::planning::PlanReport;
 use super::rehearse::RehearseReport;
 use super::run::RunReport;
+use super::show::ShowReport;
 use crate::arguments::SchemasArguments;
 use crate::exit::Exit;
 use crate::failure::{Failure, FailureReport};
@@ -45,6 +46,7 @@ fn all() -> Vec<(String, String)> {
         ("plan", of::<Report<PlanReport>>()),
         ("demo", of::<Report<PlanReport>>()),
         ("check", of::<Report<CheckReport>>()),
+        ("show", of::<Report<ShowReport>>()),
         ("rehearse", of::<Report<RehearseReport>>()),
         ("run", of::<Report<RunReport>>()),
         ("monte-carlo", of::<Report<MonteCarloReport>>()),

@@ -1,6 +1,8 @@
 use super::free_space::{FreeSpace, Reached, Run, runs};
 use super::joined::joined;
+use super::least_move::{advice, least_move};
 use super::narrowest::narrowest;
+use super::pinned;
 use super::proof::{CAUTION, Proof, ProofKind};
 use super::things::Things;
 use pairtrawl_geometry::{Bounds, Convex, Hull, Point, Polygon, Segment};
@@ -34,20 +36,22 @@ fn longest_net(scene: &Scene) -> f64 {
     MOST_LENGTH * scene.start.separation().min(scene.end.separation()) + 1e-4
 }
 
-/// Judges whether both halves of the line can reach an object's center.
+/// Judges whether both halves of the line can reach an object's center. The words of a proof take longer than the proof: they
+/// are found only when they are asked for.
 pub(super) fn judge(
     things: &Things<'_>,
     space: &FreeSpace,
     reached: &Reached,
     object: usize,
     net_length: Option<f64>,
+    in_words: bool,
 ) -> Verdict {
     let scene = things.scene;
     let center = scene.objects[object].position;
     if things.obstacles.distance(center, CAUTION).is_some() {
         return Verdict::Reachable; // On or in an obstacle: bad input, nothing to prove.
     }
-    let keep = scene.robot.radius + scene.objects[object].footprint_radius();
+    let keep = things.keep + scene.objects[object].footprint_radius();
     let longest = longest_net(scene);
     let reach = net_length.unwrap_or(longest).min(longest) - keep + CAUTION;
     // Most objects are settled by what is close by.
@@ -55,7 +59,7 @@ pub(super) fn judge(
     if reached
         .surely
         .iter()
-        .all(|surely| close.is_sure(things, space, surely))
+        .all(|surely| close.is_sure(things, space, |i| surely[i]))
     {
         return Verdict::Reachable;
     }
@@ -69,7 +73,16 @@ pub(super) fn judge(
             possible = view.is_possible(space, may);
         }
         if !possible {
-            return Verdict::Enclosed(proof(things, space, may, object, run, reach));
+            let kind = ProofKind::ObjectEnclosed {
+                object,
+                robot: run.side,
+                reach,
+                grid: space.evidence(may),
+            };
+            return Verdict::Enclosed(match in_words {
+                true => proof(things, space, reached, kind, run),
+                false => without_words(things, kind, run),
+            });
         }
     }
     Verdict::Open
@@ -104,11 +117,16 @@ impl View {
     }
 
     /// True when some cell nearby is surely reached and surely in sight.
-    fn is_sure(&self, things: &Things<'_>, space: &FreeSpace, surely: &[bool]) -> bool {
+    fn is_sure(
+        &self,
+        things: &Things<'_>,
+        space: &FreeSpace,
+        surely: impl Fn(usize) -> bool,
+    ) -> bool {
         let away = |i: usize| space.center(i).distance(self.center);
         let mut cells: Vec<usize> = space
             .cells_near(&self.near)
-            .filter(|&i| surely[i])
+            .filter(|&i| surely(i))
             .collect();
         cells.sort_by(|&i, &j| away(i).total_cmp(&away(j)).then(i.cmp(&j)));
         let within = cells.into_iter().filter(|&i| away(i) < self.reach);
@@ -215,21 +233,59 @@ impl Piece {
     }
 }
 
+/// True when both robots surely get to places with a free line to a point where the object could lie instead, with a
+/// robot's distance from it and no farther than `reach`.
+pub(super) fn is_surely_reachable(
+    things: &Things<'_>,
+    space: &FreeSpace,
+    reached: &Reached,
+    (object, reach): (usize, f64),
+    p: Point,
+) -> bool {
+    let keep = things.keep + things.scene.objects[object].footprint_radius();
+    let view = View::new(things, p, reach.min(CLOSE_BY * keep));
+    let beside = |surely: &Vec<bool>| {
+        let far = |i: usize| space.center(i).distance(p) >= keep;
+        view.is_sure(things, space, |i| surely[i] && far(i))
+    };
+    reached.surely.iter().all(beside)
+}
+
+/// A proof without the reason in full.
+fn without_words(things: &Things<'_>, kind: ProofKind, run: Run) -> Proof {
+    let object = kind.object().unwrap_or_default();
+    Proof {
+        kind,
+        message: format!(
+            "object {object} at {} is enclosed: no free line leads from it to a place that the {} can reach",
+            place(things.scene.objects[object].position),
+            run.name
+        ),
+        least_move: None,
+    }
+}
+
 /// Words for an object that one robot's half of the line cannot reach.
 fn proof(
     things: &Things<'_>,
     space: &FreeSpace,
-    may: &[bool],
-    object: usize,
+    reached: &Reached,
+    kind: ProofKind,
     run: Run,
-    reach: f64,
 ) -> Proof {
+    let ProofKind::ObjectEnclosed { object, reach, .. } = kind else {
+        return without_words(things, kind, run);
+    };
     let Run {
-        name: robot, start, ..
+        side,
+        name: robot,
+        start,
+        ..
     } = run;
+    let may = &reached.may[side.index()];
     let scene = things.scene;
     let center = scene.objects[object].position;
-    let keep = scene.robot.radius + scene.objects[object].footprint_radius();
+    let keep = things.keep + scene.objects[object].footprint_radius();
     let here = format!("object {object} at {} is enclosed", place(center));
     // Would a longer net do? Cells in sight beyond the reach.
     let longest = longest_net(scene) - keep;
@@ -250,7 +306,7 @@ fn proof(
             length(nearest),
             length(reach),
             enough_length(nearest + keep),
-            enough_length(2.0 * scene.robot.radius)
+            enough_length(2.0 * things.keep)
         )
     } else {
         let narrowest = narrowest(things, start, center, Some(object));
@@ -259,8 +315,18 @@ fn proof(
             narrowest.words
         )
     };
+    let helps = |p: Point| {
+        pinned::is_free(things, object, p)
+            && is_surely_reachable(things, space, reached, (object, reach), p)
+    };
+    let least_move = least_move(things, object, helps);
+    let message = match least_move {
+        Some(_) => format!("{message}; {}", advice(least_move)),
+        None => message,
+    };
     Proof {
-        kind: ProofKind::ObjectEnclosed { object },
+        kind,
         message,
+        least_move,
     }
 }

@@ -1,6 +1,7 @@
+use super::proof::GridEvidence;
 use super::things::Things;
 use pairtrawl_geometry::{Bounds, Point};
-use pairtrawl_model::Scene;
+use pairtrawl_model::{Scene, Side};
 
 /// The coarsest cells, in units of the length scale.
 const COARSEST: f64 = 0.4;
@@ -39,6 +40,7 @@ pub(super) struct FreeSpace {
 /// A robot with the places where it starts and ends.
 #[derive(Clone, Copy)]
 pub(super) struct Run {
+    pub(super) side: Side,
     pub(super) name: &'static str,
     pub(super) start: Point,
     pub(super) end: Point,
@@ -53,14 +55,20 @@ pub(super) struct Reached {
 
 /// Both robots of a scene.
 pub(super) fn runs(scene: &Scene) -> [Run; 2] {
-    let run = |name, start: pairtrawl_geometry::Pose, end: pairtrawl_geometry::Pose| Run {
+    let run = |side, name, start: pairtrawl_geometry::Pose, end: pairtrawl_geometry::Pose| Run {
+        side,
         name,
         start: start.position(),
         end: end.position(),
     };
     [
-        run("left robot", scene.start.left, scene.end.left),
-        run("right robot", scene.start.right, scene.end.right),
+        run(Side::Left, "left robot", scene.start.left, scene.end.left),
+        run(
+            Side::Right,
+            "right robot",
+            scene.start.right,
+            scene.end.right,
+        ),
     ]
 }
 
@@ -108,7 +116,7 @@ impl FreeSpace {
 
     /// Decides the mixed cells as far as the distance at their centers tells.
     fn classify(&mut self, things: &Things<'_>) {
-        let radius = things.scene.robot.radius;
+        let radius = things.keep;
         let half = 0.5 * self.size.norm();
         for i in 0..self.cells.len() {
             if self.cells[i] == Cell::Mixed {
@@ -152,6 +160,22 @@ impl FreeSpace {
     pub(super) fn is_at_edge(&self, i: usize) -> bool {
         let (column, row) = (i % self.columns, i / self.columns);
         column == 0 || row == 0 || column + 1 == self.columns || row + 1 == self.rows
+    }
+
+    /// Columns and rows.
+    pub(super) fn shape(&self) -> (usize, usize) {
+        (self.columns, self.rows)
+    }
+
+    /// The grid as the evidence of a proof, with the cells that a robot may reach.
+    pub(super) fn evidence(&self, may: &[bool]) -> GridEvidence {
+        let blocked = self.cells.iter().filter(|cell| **cell == Cell::Blocked);
+        GridEvidence {
+            columns: self.columns,
+            rows: self.rows,
+            blocked: blocked.count(),
+            reached: may.iter().filter(|may| **may).count(),
+        }
     }
 
     /// Number of cells.

@@ -15,7 +15,12 @@ pub(super) fn prove(scene: &Scene, net_length: f64) -> Option<Proof> {
     let least = LEAST_SEPARATION * net_length;
     let most = closest / LEAST_SEPARATION;
     (least > closest + CAUTION).then(|| Proof {
-        kind: ProofKind::NetTooLong { most },
+        kind: ProofKind::NetTooLong {
+            net_length,
+            separation: closest,
+            most,
+        },
+        least_move: None,
         message: format!(
             "the net is too long: robots keep at least a tenth of its length apart, that is {} of {}, but their axle centers \
              at the {what} are {} apart; shorten it to at most {}, or move them apart there",

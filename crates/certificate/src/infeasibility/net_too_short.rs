@@ -34,7 +34,8 @@ pub(super) fn prove(scene: &Scene, net_length: f64) -> Option<Proof> {
     }
     let (needed, why) = worst?;
     (net_length < needed - CAUTION).then(|| Proof {
-        kind: ProofKind::NetTooShort { needed },
+        kind: ProofKind::NetTooShort { net_length, needed },
+        least_move: None,
         message: format!(
             "the net is too short: {}, but {why}; lengthen it by at least {}, to {}",
             length(net_length),

@@ -1,14 +1,21 @@
 use crate::obstacles::{Obstacles, Part};
 use pairtrawl_geometry::{Point, Segment};
-use pairtrawl_model::{Scales, Scene};
+use pairtrawl_model::{Robot, Scales, Scene};
 use std::fmt;
 
 /// Everything that a robot's center keeps its radius from: obstacles and objects' footprint circles.
 pub(super) struct Things<'a> {
     pub(super) scene: &'a Scene,
     pub(super) obstacles: Obstacles<'a>,
+    /// What a robot keeps around its axle center from everything at least, m: half of the gap that it needs.
+    pub(super) keep: f64,
     /// The scene's length scale, m.
     pub(super) scale: f64,
+}
+
+/// What a robot surely keeps around its axle center from everything, m.
+pub(super) fn sure_radius(robot: &Robot) -> f64 {
+    robot.radius
 }
 
 /// One of them.
@@ -33,6 +40,7 @@ impl<'a> Things<'a> {
         Obstacles::new(scene).ok().map(|obstacles| Self {
             scene,
             obstacles,
+            keep: sure_radius(&scene.robot),
             scale: Scales::of(scene).length,
         })
     }
@@ -124,6 +132,11 @@ impl<'a> Things<'a> {
         } else {
             foot
         }
+    }
+
+    /// The point of an obstacle's outline nearest to `p`.
+    pub(super) fn nearest_point_of(&self, part: Part, p: Point) -> Point {
+        self.nearest_point(Thing::Obstacle(part), p)
     }
 
     /// The distance between the outlines of two things, m.

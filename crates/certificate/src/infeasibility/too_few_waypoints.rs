@@ -11,9 +11,16 @@ pub fn too_few_waypoints(scene: &Scene, waypoints: usize) -> Option<Proof> {
         let distance = start.position().distance(end.position());
         (distance > reach + CAUTION).then(|| {
             let needed = (distance / max_step).ceil() as usize + 1;
+            let kind = ProofKind::TooFewWaypoints {
+                waypoints,
+                robot: side,
+                distance,
+                needed,
+            };
             let [max_step, reach, distance] = [max_step, reach, distance].map(numbers::length);
             Proof {
-                kind: ProofKind::TooFewWaypoints { needed },
+                kind,
+                least_move: None,
                 message: format!(
                     "with {waypoints} waypoints and steps of at most {max_step} a robot comes {reach} far, but the end of \
                      the {side} is {distance} from its start: give at least {needed} waypoints"

@@ -1,8 +1,8 @@
 //! Files on a disk: read with a bound, written whole or not at all.
 
 use super::{
-    FileError, LoadedMap, LoadedScene, PlanFile, Problem, csv_text, execution_json, parse_plan,
-    plan_json, scene, tum_text, write_atomically,
+    FileError, InfeasibleFile, LoadedMap, LoadedScene, PlanFile, Problem, csv_text, execution_json,
+    is_infeasible, parse_infeasible, parse_plan, plan_json, scene, tum_text, write_atomically,
 };
 use pairtrawl_execution::ExecutionOptions;
 use pairtrawl_model::{Execution, Plan, Robot, SceneReference, Side};
@@ -43,6 +43,29 @@ pub fn read_map(path: &Path) -> Result<LoadedMap, FileError> {
 pub fn read_plan(path: &Path) -> Result<PlanFile, FileError> {
     let bytes = read_bounded(path, PLAN_BYTES)?;
     parse_plan(text(path, &bytes)?, path)
+}
+
+/// What `pairtrawl check` judges.
+#[derive(Clone, Debug, PartialEq)]
+pub enum Checkable {
+    /// A plan.
+    Plan(Box<PlanFile>),
+    /// Proofs that there is none.
+    Infeasible(InfeasibleFile),
+}
+
+/// Reads a plan, or proofs that there is none, whichever the file says that it is.
+///
+/// # Errors
+/// As [`read_plan`].
+pub fn read_checkable(path: &Path) -> Result<Checkable, FileError> {
+    let bytes = read_bounded(path, PLAN_BYTES)?;
+    let text = text(path, &bytes)?;
+    // Whatever is not of the other format is judged as a plan.
+    match is_infeasible(text) {
+        true => Ok(Checkable::Infeasible(parse_infeasible(text, path)?)),
+        false => Ok(Checkable::Plan(Box::new(parse_plan(text, path)?))),
+    }
 }
 
 /// Writes `plan.json`, every field of the format, atomically.

@@ -13,6 +13,7 @@ mod disk;
 mod error;
 mod execution;
 mod hash;
+mod infeasible;
 mod parts;
 mod plan;
 mod scene;
@@ -26,12 +27,15 @@ pub use atomic::{check_writable, write_atomically};
 pub use csv::csv_text;
 #[cfg(feature = "fs")]
 pub use disk::{
-    read_bounded, read_map, read_plan, read_scene, write_csv, write_execution, write_plan,
-    write_tum,
+    Checkable, read_bounded, read_checkable, read_map, read_plan, read_scene, write_csv,
+    write_execution, write_plan, write_tum,
 };
 pub use error::{FileError, Problem};
 pub use execution::{ExecutionFigures, execution_json};
 pub use hash::sha256_hex;
+#[cfg(feature = "fs")]
+use infeasible::is_infeasible;
+pub use infeasible::{InfeasibleFile, StatedProof, infeasible_json, parse_infeasible};
 pub use plan::{PlanFile, parse_plan, plan_json};
 pub use scene::{LoadedMap, LoadedScene, parse_scene, parse_scene_with};
 #[cfg(feature = "schema")]

@@ -73,6 +73,16 @@ impl From<&SceneReference> for Reference {
     }
 }
 
+impl From<Reference> for SceneReference {
+    fn from(scene: Reference) -> Self {
+        Self {
+            name: scene.name,
+            sha256: scene.sha256,
+            content_sha256: scene.content_sha256,
+        }
+    }
+}
+
 impl From<Cost> for FileCost {
     fn from(cost: Cost) -> Self {
         Self {

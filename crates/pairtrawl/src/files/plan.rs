@@ -3,6 +3,7 @@
 pub(super) mod file;
 mod layout;
 mod left_out;
+mod overrides;
 mod read;
 mod write;
 

@@ -1,6 +1,6 @@
 //! Letters and numbers on the map: L and R at robots and paths, objects by number, circles in the order of their visits.
 
-use super::layers::Layer;
+use super::layers::{Layer, MARK};
 use super::projection::View;
 use pairtrawl_geometry::{Point, Pose};
 use pairtrawl_model::{Footprint, Summary};
@@ -37,6 +37,7 @@ pub(crate) fn labels(summary: &Summary, view: &View, scale: f64) -> Vec<Label> {
     paths(&mut board, summary);
     circles(&mut board, summary);
     objects(&mut board, summary);
+    marks(&mut board, summary);
     board.labels
 }
 
@@ -103,6 +104,23 @@ fn objects(board: &mut Board, summary: &Summary) {
         };
         let text = i.to_string();
         board.beside(Layer::Objects, "index", &text, object.position, half);
+    }
+}
+
+/// Marks by letters: a, b, ..., z, aa, ab, ...
+fn marks(board: &mut Board, summary: &Summary) {
+    let half = [MARK * summary.outline.robot.radius; 2];
+    for (i, mark) in summary.marks.iter().enumerate() {
+        board.beside(Layer::Marks, "note", &mark_name(i), mark.place, half);
+    }
+}
+
+/// The name of a mark on the map and in lists.
+pub(crate) fn mark_name(index: usize) -> String {
+    let letter = char::from(b'a' + (index % 26) as u8);
+    match index / 26 {
+        0 => letter.to_string(),
+        more => mark_name(more - 1) + &letter.to_string(),
     }
 }
 

@@ -3,6 +3,9 @@ use crate::svg::Writer;
 use pairtrawl_geometry::{Hull, Point, Pose};
 use pairtrawl_model::{Footprint, Object, Obstacle, PairTrajectory, Ribbon, Robot, Summary};
 
+/// Radius of the ring around a mark, in robot radii.
+pub(crate) const MARK: f64 = 0.9;
+
 /// What is drawn on the map, from the bottom to the top.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(crate) enum Layer {
@@ -15,10 +18,11 @@ pub(crate) enum Layer {
     Paths,
     Ends,
     Objects,
+    Marks,
 }
 
 impl Layer {
-    pub const ALL: [Self; 9] = [
+    pub const ALL: [Self; 10] = [
         Self::Obstacles,
         Self::Sweep,
         Self::Circles,
@@ -28,6 +32,7 @@ impl Layer {
         Self::Paths,
         Self::Ends,
         Self::Objects,
+        Self::Marks,
     ];
 
     /// A name for identifiers.
@@ -42,6 +47,7 @@ impl Layer {
             Self::Paths => "paths",
             Self::Ends => "ends",
             Self::Objects => "objects",
+            Self::Marks => "marks",
         }
     }
 
@@ -61,6 +67,7 @@ impl Layer {
                 .is_some_and(|e| e.left_ribbon.is_some() || e.right_ribbon.is_some()),
             Self::Ends => true,
             Self::Objects => !summary.outline.objects.is_empty(),
+            Self::Marks => !summary.marks.is_empty(),
         }
     }
 
@@ -102,6 +109,16 @@ impl Layer {
             Self::Objects => {
                 for object in &summary.outline.objects {
                     footprint(w, object, to);
+                }
+            }
+            Self::Marks => {
+                let radius = MARK * summary.outline.robot.radius;
+                for mark in &summary.marks {
+                    if let Some(toward) = mark.toward {
+                        path(w, "move", to.path([mark.place, toward]));
+                        circle(w, "move", toward, 0.25 * radius, to);
+                    }
+                    circle(w, "mark", mark.place, radius, to);
                 }
             }
         }
@@ -209,7 +226,7 @@ fn robot_at(w: &mut Writer, class: &str, pose: Pose, robot: &Robot, to: &Project
 
 fn footprint(w: &mut Writer, object: &Object, to: &Projection) {
     let class = match object.leave {
-        true => "left-object",
+        true => "object leave",
         false => "object",
     };
     match object.footprint {

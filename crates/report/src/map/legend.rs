@@ -79,6 +79,7 @@ impl Layer {
             ],
             Self::Ends => &[("start", Sign::Robots, 0.0, 0.0, 30.0)],
             Self::Objects => &[("object", Sign::Square(8.0), 2.0, 0.0, 26.0)],
+            Self::Marks => &[("mark", Sign::Disc(6.0), 2.0, 0.0, 26.0)],
         }
     }
 
@@ -94,6 +95,7 @@ impl Layer {
             Self::Paths => "paths, left (L) and right (R)",
             Self::Ends => "start and end",
             Self::Objects => "objects by number",
+            Self::Marks => "places to look at",
         }
     }
 }

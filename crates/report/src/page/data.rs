@@ -62,9 +62,10 @@ fn data(summary: &Summary) -> Value {
         .enumerate()
         .map(|(i, o)| {
             let swept = summary.swept_at.get(i).copied().flatten();
+            let leave = o.leave;
             match o.footprint {
-                Footprint::Box(w, d) => json!({"size": [w, d], "swept": swept}),
-                Footprint::Disc(r) => json!({"radius": r, "swept": swept}),
+                Footprint::Box(w, d) => json!({"size": [w, d], "swept": swept, "leave": leave}),
+                Footprint::Disc(r) => json!({"radius": r, "swept": swept, "leave": leave}),
             }
         })
         .collect();

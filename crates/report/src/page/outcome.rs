@@ -50,7 +50,7 @@ pub(super) fn failures(w: &mut Writer, summary: &Summary) {
     open_card(w, "failures", "What went wrong");
     w.open("ul", &[]);
     if let Some(execution) = execution {
-        let objects = summary.outline.objects.len();
+        let objects = summary.gathers();
         for (i, trial) in execution
             .trials
             .iter()
@@ -159,7 +159,7 @@ pub(super) fn trials(w: &mut Writer, summary: &Summary) {
         return;
     };
     open_card(w, "trials", "Trials");
-    let objects = summary.outline.objects.len();
+    let objects = summary.gathers();
     let words = format!(
         "{} of {} trials with the {} controller gathered all {objects} objects. Errors are distances from the reference, \
          root mean square / greatest, over the whole run and settled: without its first second.",

@@ -77,6 +77,7 @@ pub fn summary(steps: usize) -> Summary {
         }],
         order: vec![0],
         left_out: Vec::new(),
+        marks: Vec::new(),
         centerline: vec![Pose::new(1.0, 1.5, 0.0), Pose::new(end, 1.5, 0.0)],
         baseline: PairTrajectory {
             left: vec![Pose::new(1.0, 1.8, 0.0), Pose::new(end, 1.8, 0.0)],

@@ -1,9 +1,9 @@
 use super::FORMAT;
-use super::file::{Auto, File, FileLeftOut, FileNetLength, FileRehearsal, FileSolver};
+use super::file::{File, FileLeftOut, FileNetLength, FileRehearsal, FileSolver};
 use crate::files::{FileError, Problem};
 use pairtrawl_geometry::{Point, Pose};
 use pairtrawl_model::{
-    Circle, Cost, Leave, LeftOut, Overrides, PairTrajectory, Rehearsal, Scene, SceneReference,
+    Circle, Cost, LeftOut, Overrides, PairTrajectory, Rehearsal, Scene, SceneReference,
     SolverReport, SolverStatus, default_step_time,
 };
 use serde::Deserialize;
@@ -201,25 +201,14 @@ fn left_out(listed: Vec<FileLeftOut>) -> Vec<LeftOut> {
 impl From<File> for PlanFile {
     fn from(file: File) -> Self {
         let poses = |raw: Vec<[f64; 3]>| raw.into_iter().map(Pose::from).collect::<Vec<_>>();
-        let overrides = file.overrides.unwrap_or_default();
         Self {
             net_length: file.net_length,
             left: poses(file.left),
             right: poses(file.right),
             step_time: file.step_time,
             time_law: file.time_law.filter(|law| !law.is_empty()),
-            scene: file.scene.map(|s| SceneReference {
-                name: s.name,
-                sha256: s.sha256,
-                content_sha256: s.content_sha256,
-            }),
-            overrides: Overrides {
-                net_length: overrides.net_length.map(|length| match length {
-                    FileNetLength::Fixed(length) => Some(length),
-                    FileNetLength::Auto(Auto::Auto) => None,
-                }),
-                leave: overrides.leave.map(Leave::from),
-            },
+            scene: file.scene.map(SceneReference::from),
+            overrides: file.overrides.unwrap_or_default().into(),
             centerline: poses(file.centerline.unwrap_or_default()),
             baseline: file.baseline.map(|b| (poses(b.left), poses(b.right))),
             circles: (file.circles.unwrap_or_default().into_iter())

@@ -1,7 +1,7 @@
 use super::FORMAT;
 use super::file::{
-    Auto, Baseline, File, FileCertificate, FileCircle, FileLeave, FileLeftOut, FileNetLength,
-    FileOverrides, FileRehearsal, FileSolver,
+    Baseline, File, FileCertificate, FileCircle, FileLeftOut, FileOverrides, FileRehearsal,
+    FileSolver,
 };
 use super::layout::lines;
 use crate::files::parts::{FileClaim, FileCost, Reference, finite};
@@ -27,12 +27,7 @@ impl From<&Plan> for File {
             step_time: Some(plan.trajectory.step_time),
             time_law: Some(plan.time_law.clone()),
             scene: Some(Reference::from(&plan.scene)),
-            overrides: Some(FileOverrides {
-                net_length: (plan.overrides.net_length).map(|length| {
-                    length.map_or(FileNetLength::Auto(Auto::Auto), FileNetLength::Fixed)
-                }),
-                leave: plan.overrides.leave.map(FileLeave::from),
-            }),
+            overrides: Some(FileOverrides::from(&plan.overrides)),
             centerline: Some(poses(&plan.centerline)),
             baseline: Some(Baseline {
                 left: poses(&plan.baseline.left),

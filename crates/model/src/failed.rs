@@ -1,0 +1,28 @@
+use crate::Summary;
+use pairtrawl_geometry::Point;
+
+/// A place on a map that is to be seen, and why.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Mark {
+    /// Where, m.
+    pub place: Point,
+    /// Where a thing at this place would have to be moved at least, m.
+    pub toward: Option<Point>,
+    /// What there is to see, for people.
+    pub text: String,
+}
+
+/// Everything that is shown when there is no plan.
+#[derive(Clone, Debug, PartialEq)]
+pub struct FailedSummary {
+    /// The scene, and the best attempt where there is one. It is no plan. The places that are to be seen are its marks.
+    pub summary: Summary,
+    /// Why there is no plan, in a few words.
+    pub verdict: String,
+    /// Why there is no plan.
+    pub message: String,
+    /// What would help.
+    pub help: Option<String>,
+    /// Every start that was tried and what was missing there, or nothing.
+    pub tried: Vec<(String, String)>,
+}
