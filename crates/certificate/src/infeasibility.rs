@@ -30,6 +30,9 @@
 //!    holds for an object that is closer to the edge of the area than a robot radius beyond its footprint circle: no robot
 //!    leaves the area, which is convex, so nothing is swept outside of it either.
 //!
+//! The radius of a robot with a body is that of the largest circle around its axle center that one of the body's circles
+//! contains: the rest of the body is left out of every argument.
+//!
 //! Bounds of the search (sizes of cells) grow with the robots; tolerances are those of the claims, in m.
 
 mod enclosed;

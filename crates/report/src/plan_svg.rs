@@ -206,7 +206,10 @@ fn legend(summary: &Summary) -> Vec<(&'static str, Sign, &'static str)> {
             Layer::Objects,
             "object leave",
             Sign::Square(8.0),
-            "left where it lies",
+            match summary.trajectory.is_empty() {
+                true => "cannot be swept",
+                false => "left where it lies",
+            },
         ),
         (Layer::Marks, "mark", Sign::Disc(6.0), "look here"),
         (Layer::Marks, "move", Sign::Line, "least move found"),

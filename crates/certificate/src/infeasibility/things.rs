@@ -13,9 +13,11 @@ pub(super) struct Things<'a> {
     pub(super) scale: f64,
 }
 
-/// What a robot surely keeps around its axle center from everything, m.
+/// What a robot surely keeps around its axle center from everything, m: the radius of the largest circle around it that its
+/// body contains. Below zero where no circle of the body contains the axle center; it is then so deep in an obstacle at
+/// most.
 pub(super) fn sure_radius(robot: &Robot) -> f64 {
-    robot.radius
+    robot.circles().inner_radius()
 }
 
 /// One of them.

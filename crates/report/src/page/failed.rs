@@ -26,9 +26,9 @@ pub fn failed_html(failed: &FailedSummary) -> String {
     w.close();
     w.open("main", &[]);
     open_card(&mut w, "failures", "Why there is no plan");
-    for line in failed.message.lines() {
-        w.text("p", &[], line.trim_start());
-    }
+    // What follows the first line stands in the tables below.
+    let first = failed.message.lines().next().unwrap_or_default();
+    w.text("p", &[], first);
     if let Some(help) = &failed.help {
         w.text("p", &[], &format!("What would help: {help}."));
     }
