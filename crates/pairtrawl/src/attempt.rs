@@ -7,6 +7,7 @@ use crate::options::{Method, NetLength};
 use crate::prepare::Prepared;
 use crate::rehearse::rehearse_trajectory;
 use crate::run::Run;
+use crate::sampling::weighed;
 use crate::tighten::Tightening;
 use pairtrawl_certificate::certify;
 use pairtrawl_geometry::Pose;
@@ -90,6 +91,7 @@ impl<'a> Course<'a> {
             .map_err(|error| self.prepared.route_error(error))?;
         let mut problem = Problem::new(scaled, net_length, &world.pieces);
         tightening.apply(&mut problem);
+        let problem = weighed(&problem, &baseline);
         let solution = run.watched_stage(Stage::Optimize, |may_go_on| {
             self.optimize(&problem, &baseline, origin, &mut |_, _| may_go_on())
         })?;

@@ -2,6 +2,7 @@
 
 use crate::options::Method;
 use crate::prepare::Prepared;
+use crate::sampling::weighed;
 use crate::start::{Candidates, Start};
 use pairtrawl_model::{PairTrajectory, Side, SolverStatus};
 use pairtrawl_parallel::prelude::*;
@@ -142,6 +143,9 @@ impl Variation {
 
 /// The cost of the optimum from a pair, unless there is none.
 fn optimum(problem: &Problem, pair: &PairTrajectory, may_go_on: MayGoOn) -> Option<f64> {
-    let solution = optimize_watched(problem, pair, &Settings::default(), &mut |_, _| may_go_on());
+    let problem = weighed(problem, pair);
+    let solution = optimize_watched(&problem, pair, &Settings::default(), &mut |_, _| {
+        may_go_on()
+    });
     (solution.status == SolverStatus::Converged).then_some(solution.objective)
 }

@@ -75,6 +75,7 @@ mod prepare;
 mod preview;
 mod rehearse;
 mod run;
+mod sampling;
 mod separation_study;
 mod start;
 mod starts;

@@ -405,14 +405,19 @@ fn an_edited_time_law_is_judged_and_a_plan_without_one_is_read_linearly() {
 
 #[test]
 fn more_waypoints_leave_the_run_time_as_it_is() {
-    let loaded = scene("witness-9");
-    let made = planned(&loaded, &quick()).plan;
-    let options = PlanOptions {
-        waypoints: Some(2 * made.trajectory.len()),
-        ..quick()
-    };
-    let fine = planned(&loaded, &options).plan;
-    let duration = |plan: &Plan| plan.time_law[plan.time_law.len() - 1];
-    let ratio = duration(&fine) / duration(&made);
-    assert!((ratio - 1.0).abs() < 0.05, "{ratio} times the run time");
+    for name in ["witness-9", "paper-experiment"] {
+        let loaded = scene(name);
+        let made = planned(&loaded, &quick()).plan;
+        let options = PlanOptions {
+            waypoints: Some(2 * made.trajectory.len()),
+            ..quick()
+        };
+        let fine = planned(&loaded, &options).plan;
+        let duration = |plan: &Plan| plan.time_law[plan.time_law.len() - 1];
+        let ratio = duration(&fine) / duration(&made);
+        assert!(
+            (ratio - 1.0).abs() < 0.03,
+            "{name}: {ratio} times the run time"
+        );
+    }
 }
