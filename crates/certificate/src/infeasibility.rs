@@ -12,6 +12,10 @@
 //!    1-Lipschitz: that at the cell's center plus half the diagonal is below the radius). A continuous path visits cells
 //!    that share a corner at least; where no such chain of other cells joins start and end there is no path. Nothing is
 //!    assumed of the pair: staggered, it passes gaps that its width does not.
+//!    Of a robot with a body the axle center keeps the radius of the largest circle around it that the body contains, and the
+//!    center of the body's largest circle keeps its own: where that one has no path there is none, and the axle center gets
+//!    only to places that are as near to its cells as the two centers are to each other. That center may leave the area by
+//!    as much, so the grid reaches beyond it.
 //! 4. **An object is enclosed**: when the line between the robots passes over it, each half of the line is a straight
 //!    segment from the object to a robot, no longer than d_max - (radius + footprint radius) since the other half keeps
 //!    that distance, and it enters no obstacle. The proof shows for one robot that no cell that it may reach (as in 3)
@@ -20,7 +24,9 @@
 //!    within reach, none wholly inside an obstacle, joins to the object.
 //! 5. **An object is pinned**: less than two robot radii separate its footprint circle from an obstacle, and neither the
 //!    start nor the end line between the robots crosses the shortest segment between object center and obstacle. No robot
-//!    path crosses that segment, for a point on it cannot keep a radius from both. The boundary of the swept region
+//!    path crosses that segment, for a point on it cannot keep a radius from both. (A circle of a body whose center is o off
+//!    the axle center is at most o off the segment then, so with its radius r and the footprint's f, the segment is at least
+//!    sqrt((f + r)^2 - o^2) + sqrt(r^2 - o^2) long.) The boundary of the swept region
 //!    (start line, one path, end line, other path) hence winds equally often around its two ends: not at all, because
 //!    inside the obstacle nothing is swept. Robots that drive forward and abreast sweep every point in the same sense,
 //!    so a point that is passed over has a winding number other than zero: the object is not swept. Abreast has to hold
@@ -35,6 +41,7 @@
 //!
 //! Bounds of the search (sizes of cells) grow with the robots; tolerances are those of the claims, in m.
 
+mod carried;
 mod enclosed;
 mod free_space;
 mod joined;
@@ -161,8 +168,8 @@ fn usable(scene: &Scene, net_length: Option<f64>) -> bool {
         && scene.objects.iter().all(|o| {
             bounded(o.position) && (0.0..=COORDINATE_LIMIT).contains(&o.footprint_radius())
         })
-        && robot.radius > 0.0
-        && robot.radius <= COORDINATE_LIMIT
+        && things::sure_radius(robot) > 0.0
+        && robot.circles().reach() <= COORDINATE_LIMIT
         && robot.hitch.abs() <= COORDINATE_LIMIT
         && net_length.is_none_or(f64::is_finite)
 }

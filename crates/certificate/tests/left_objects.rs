@@ -75,7 +75,7 @@ fn the_least_move_helps_and_half_of_it_does_not() {
     assert_eq!(seen, 4, "every object of this scene has a place nearby");
     // Away from a straight wall nothing is nearer than straight away from it.
     let proofs = prove(&scene, None);
-    let rho = 0.5 * 0.05_f64.hypot(0.05);
+    let rho = 0.5 * Point::new(0.05, 0.05).norm();
     let least = proofs[0].least_move.expect("a move").distance;
     let exact = 0.48 - (0.3 - rho);
     assert!((least - exact).abs() < 1e-4, "{least} for {exact}");

@@ -277,10 +277,7 @@ fn proof(
         return without_words(things, kind, run);
     };
     let Run {
-        side,
-        name: robot,
-        start,
-        ..
+        side, name: robot, ..
     } = run;
     let may = &reached.may[side.index()];
     let scene = things.scene;
@@ -306,9 +303,10 @@ fn proof(
             length(nearest),
             length(reach),
             enough_length(nearest + keep),
-            enough_length(2.0 * things.keep)
+            enough_length(2.0 * things.largest.radius)
         )
     } else {
+        let [start, _] = things.ends_of_largest(side);
         let narrowest = narrowest(things, start, center, Some(object));
         format!(
             "{here}: no free line leads from it to a place that the {robot} can reach; on the widest way there, {}",

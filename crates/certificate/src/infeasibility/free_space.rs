@@ -1,3 +1,4 @@
+use super::carried::{Carried, spread};
 use super::proof::GridEvidence;
 use super::things::Things;
 use pairtrawl_geometry::{Bounds, Point};
@@ -26,13 +27,16 @@ pub(super) enum Cell {
     Mixed,
 }
 
-/// The area, cut into equal cells that fill it exactly.
+/// The area, cut into equal cells that fill it exactly, and as many cells around it as the largest circle of a robot may
+/// leave it by.
 pub(super) struct FreeSpace {
     min: Point,
     size: Point,
     columns: usize,
     rows: usize,
     cells: Vec<Cell>,
+    /// The largest circle of a robot, if its center is off the axle.
+    carried: Option<Carried>,
     /// The scene's length scale, m.
     scale: f64,
 }
@@ -51,6 +55,19 @@ pub(super) struct Reached {
     /// Left, then right robot.
     pub(super) may: [Vec<bool>; 2],
     pub(super) surely: [Vec<bool>; 2],
+    /// What is known of the way of the largest circle, if that is another than the axle center's.
+    ways: [Way; 2],
+}
+
+/// What is known of a way from start to end.
+#[derive(Clone, Copy, PartialEq, Eq)]
+enum Way {
+    /// There is none.
+    Cut,
+    /// There may be one.
+    Open,
+    /// There surely is one.
+    Sure,
 }
 
 /// Both robots of a scene.
@@ -83,12 +100,26 @@ impl FreeSpace {
         let count = |length: f64| ((length / cell).ceil() as usize).max(1);
         let (columns, rows) = (count(extent.x), count(extent.y));
         let size = Point::new(extent.x / columns as f64, extent.y / rows as f64);
+        // Whole cells around the area, so that they halve as those within do.
+        let beyond = |size: f64| (things.largest.offset() / size).ceil() as usize;
+        let (aside, above) = (beyond(size.x), beyond(size.y));
+        let is_within = |i: usize| {
+            let (column, row) = (i % (columns + 2 * aside), i / (columns + 2 * aside));
+            (aside..aside + columns).contains(&column) && (above..above + rows).contains(&row)
+        };
+        let (all_columns, all_rows) = (columns + 2 * aside, rows + 2 * above);
+        // Axle centers stay in the area.
+        let cell = |i: usize| match is_within(i) {
+            true => Cell::Mixed,
+            false => Cell::Blocked,
+        };
         let mut space = Self {
-            min: area.min,
+            min: area.min - Point::new(aside as f64 * size.x, above as f64 * size.y),
             size,
-            columns,
-            rows,
-            cells: vec![Cell::Mixed; columns * rows],
+            columns: all_columns,
+            rows: all_rows,
+            cells: (0..all_columns * all_rows).map(cell).collect(),
+            carried: Carried::new(things, all_columns * all_rows),
             scale: things.scale,
         };
         space.classify(things);
@@ -101,13 +132,16 @@ impl FreeSpace {
         if size.x.max(size.y) < FINEST * things.scale || columns * rows > MOST_CELLS {
             return None;
         }
-        let parent = |i: usize| self.cells[(i / columns / 2) * self.columns + (i % columns) / 2];
+        let parent = |i: usize| (i / columns / 2) * self.columns + (i % columns) / 2;
+        let cells = (0..columns * rows).map(|i| self.cells[parent(i)]);
+        let carried = self.carried.as_ref();
         let mut space = Self {
             min: self.min,
             size,
             columns,
             rows,
-            cells: (0..columns * rows).map(parent).collect(),
+            cells: cells.collect(),
+            carried: carried.map(|c| c.refined(columns * rows, parent)),
             scale: self.scale,
         };
         space.classify(things);
@@ -116,17 +150,39 @@ impl FreeSpace {
 
     /// Decides the mixed cells as far as the distance at their centers tells.
     fn classify(&mut self, things: &Things<'_>) {
-        let radius = things.keep;
         let half = 0.5 * self.size.norm();
-        for i in 0..self.cells.len() {
-            if self.cells[i] == Cell::Mixed {
-                self.cells[i] = match things.nearest(self.center(i), radius + half + CLOSE, None) {
+        let scene_area = things.scene.area;
+        let area = Bounds {
+            min: scene_area.min,
+            max: scene_area.max,
+        };
+        let decided = |cells: &[Cell], radius: f64, offset: f64| -> Vec<Cell> {
+            let decide = |(i, &cell): (usize, &Cell)| {
+                if cell != Cell::Mixed {
+                    return cell;
+                }
+                // Farther out no center gets whose axle stays in the area.
+                if offset > 0.0 && self.bounds(i).distance(&area) > offset + CLOSE {
+                    return Cell::Blocked;
+                }
+                match things.nearest(self.center(i), radius + half + CLOSE, None) {
                     None => Cell::Free,
                     Some((distance, _)) if distance + half < radius - CLOSE => Cell::Blocked,
                     Some(_) => Cell::Mixed,
-                };
-            }
-        }
+                }
+            };
+            cells.iter().enumerate().map(decide).collect()
+        };
+        let cells = decided(&self.cells, things.keep, 0.0);
+        let carried = self.carried.as_ref().map(|carried| Carried {
+            cells: decided(
+                &carried.cells,
+                carried.circle.radius,
+                carried.circle.offset(),
+            ),
+            ..*carried
+        });
+        (self.cells, self.carried) = (cells, carried);
     }
 
     pub(super) fn center(&self, i: usize) -> Point {
@@ -211,16 +267,16 @@ impl FreeSpace {
         &self,
         from: impl Iterator<Item = usize>,
         by_sides: bool,
-        passes: impl Fn(Cell) -> bool,
+        passes: impl Fn(usize) -> bool,
     ) -> Vec<bool> {
         let mut reached = vec![false; self.cells.len()];
-        let mut front: Vec<usize> = from.filter(|&i| passes(self.cells[i])).collect();
+        let mut front: Vec<usize> = from.filter(|&i| passes(i)).collect();
         front.iter().for_each(|&i| reached[i] = true);
         while let Some(i) = front.pop() {
             let (column, row) = (i % self.columns, i / self.columns);
             for j in self.neighbors(i) {
                 let side = j % self.columns == column || j / self.columns == row;
-                if (!by_sides || side) && !reached[j] && passes(self.cells[j]) {
+                if (!by_sides || side) && !reached[j] && passes(j) {
                     reached[j] = true;
                     front.push(j);
                 }
@@ -237,10 +293,43 @@ impl FreeSpace {
         self.neighbors(own).filter(move |&i| fine || i == own)
     }
 
+    /// True when sure cells join two places.
+    fn is_joined(&self, [from, to]: [Point; 2], cells: &[Cell]) -> bool {
+        let surely = self.flood(self.at(from), true, |i| cells[i] == Cell::Free);
+        self.at(to).any(|i| surely[i])
+    }
+
     /// Where the robots get from their starts; `None` when one of their ends lies in a surely blocked cell, which makes
     /// the scene bad input.
     pub(super) fn reach(&self, scene: &Scene) -> Option<Reached> {
         let runs = runs(scene);
+        let mut ways = [Way::Open; 2];
+        if self.carried.is_none() {
+            ways = [Way::Sure; 2];
+        }
+        let mut near = [None, None];
+        if let Some(carried) = &self.carried {
+            for run in runs {
+                let ends = [scene.start, scene.end].map(|pair| pair.robot(run.side));
+                let [start, end] = ends.map(|pose| self.index(carried.circle.center_at(pose)));
+                let passes = |i: usize| carried.cells[i] != Cell::Blocked;
+                if !(passes(start) && passes(end)) {
+                    return None;
+                }
+                let may = self.flood(std::iter::once(start), false, passes);
+                let side = run.side.index();
+                ways[side] = if may[end] { Way::Open } else { Way::Cut };
+                if self.is_joined(
+                    ends.map(|pose| carried.circle.center_at(pose)),
+                    &carried.cells,
+                ) {
+                    ways[side] = Way::Sure;
+                }
+                let reach = [self.size.x, self.size.y]
+                    .map(|size| (carried.circle.offset() / size).ceil() as usize + 1);
+                near[side] = Some(spread(&may, self.columns, reach));
+            }
+        }
         let blocked = |p: Point| self.cells[self.index(p)] == Cell::Blocked;
         if runs
             .iter()
@@ -251,9 +340,14 @@ impl FreeSpace {
         Some(Reached {
             may: runs.map(|run| {
                 let own = std::iter::once(self.index(run.start));
-                self.flood(own, false, |c| c != Cell::Blocked)
+                let near = &near[run.side.index()];
+                self.flood(own, false, |i| {
+                    self.cells[i] != Cell::Blocked && near.as_ref().is_none_or(|near| near[i])
+                })
             }),
-            surely: runs.map(|run| self.flood(self.at(run.start), true, |c| c == Cell::Free)),
+            surely: runs
+                .map(|run| self.flood(self.at(run.start), true, |i| self.cells[i] == Cell::Free)),
+            ways,
         })
     }
 }
@@ -263,15 +357,18 @@ impl Reached {
     pub(super) fn robot_without_way(&self, space: &FreeSpace, scene: &Scene) -> Option<Run> {
         let both = runs(scene).into_iter().zip(&self.may);
         both.into_iter()
-            .find(|(run, may)| !may[space.index(run.end)])
+            .find(|(run, may)| {
+                self.ways[run.side.index()] == Way::Cut || !may[space.index(run.end)]
+            })
             .map(|(run, _)| run)
     }
 
     /// True when both robots surely get to their ends, each on its own.
     pub(super) fn has_sure_way(&self, space: &FreeSpace, scene: &Scene) -> bool {
-        runs(scene)
-            .into_iter()
-            .zip(&self.surely)
-            .all(|(run, surely)| space.at(run.end).any(|i| surely[i]))
+        self.ways == [Way::Sure; 2]
+            && runs(scene)
+                .into_iter()
+                .zip(&self.surely)
+                .all(|(run, surely)| space.at(run.end).any(|i| surely[i]))
     }
 }

@@ -1,6 +1,6 @@
 use super::proof::CAUTION;
 use super::things::Things;
-use pairtrawl_geometry::Point;
+use pairtrawl_geometry::{Point, Pose};
 use pairtrawl_model::numbers::{enough_length, place};
 use std::f64::consts::TAU;
 
@@ -78,10 +78,14 @@ pub(super) fn is_place(things: &Things<'_>, object: usize, p: Point) -> bool {
     let inside = p.x >= min.x && p.x <= max.x && p.y >= min.y && p.y <= max.y;
     let robots = [scene.start, scene.end]
         .into_iter()
-        .flat_map(|pair| [pair.left.position(), pair.right.position()]);
-    let keep = scene.robot.radius + rho;
+        .flat_map(|pair| [pair.left, pair.right]);
+    let body = scene.robot.circles();
+    let misses = |pose: Pose| {
+        let mut circles = body.circles().iter();
+        circles.all(|c| c.center_at(pose).distance(p) >= c.radius + rho)
+    };
     inside
-        && robots.into_iter().all(|robot| robot.distance(p) >= keep)
+        && robots.into_iter().all(misses)
         && things.nearest(p, rho + CAUTION, Some(object)).is_none()
 }
 

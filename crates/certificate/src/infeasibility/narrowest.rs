@@ -45,7 +45,7 @@ pub(super) fn narrowest(
         at(d.y / size.y, rows) * columns + at(d.x / size.x, columns)
     };
     // Wider than this is wide enough; what a robot passes easily need not be told apart.
-    let bound = 2.0 * things.keep;
+    let bound = 2.0 * things.largest.radius;
     let clearance = |p: Point| things.nearest(p, bound, skip).map_or(bound, |(d, _)| d);
     // Dijkstra's algorithm for the way whose least clearance is greatest; keys are whole
     // numbers of a billionth of the scale, so that they have an order.
@@ -83,7 +83,7 @@ pub(super) fn narrowest(
 /// Names the two things between which a place lies, or the thing that closes it.
 fn describe(things: &Things<'_>, place: Point, cell: f64, skip: Option<usize>) -> Narrowest {
     let radius = things.keep;
-    let needed = 2.0 * radius;
+    let needed = 2.0 * things.largest.radius;
     let Point { x, y } = place;
     let near = numbers::place(place);
     let Some((clearance, first)) = things.nearest(place, f64::INFINITY, skip) else {

@@ -26,6 +26,7 @@ pub(super) fn about(things: &Things<'_>, object: usize) -> Option<Proof> {
     let least_move = least_move(things, object, |p| pin_at(things, object, p).is_none());
     let advice = advice(least_move);
     let (gap, foot) = (pin.gap, pin.foot);
+    let wide = things.gap_to_pass(scene.objects[object].footprint_radius());
     let head = format!(
         "object {object} at {} cannot be swept: {} between its footprint circle and",
         place(center),
@@ -50,12 +51,12 @@ pub(super) fn about(things: &Things<'_>, object: usize) -> Option<Proof> {
                 object,
                 foot,
                 gap,
-                needed: 2.0 * things.keep,
+                needed: wide,
             },
             format!(
                 "{head} {part}, where a robot needs {} to pass, so both robots pass on the same side of it, and the line \
                  between them passes there neither at the start nor at the end; {advice}",
-                length(2.0 * things.keep),
+                length(wide),
             ),
         ),
     };
@@ -92,8 +93,8 @@ fn pin(things: &Things<'_>, object: usize, center: Point) -> Option<Pin> {
 /// What pins an object that lies at a place.
 fn pin_at(things: &Things<'_>, object: usize, center: Point) -> Option<Pin> {
     let scene = things.scene;
-    let wide = 2.0 * things.keep;
     let rho = scene.objects[object].footprint_radius();
+    let wide = things.gap_to_pass(rho);
     let lines = [scene.start, scene.end]
         .map(|pair| Segment::new(pair.left.position(), pair.right.position()));
     let passes = |foot: Point| {

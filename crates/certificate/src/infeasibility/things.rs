@@ -1,14 +1,16 @@
 use crate::obstacles::{Obstacles, Part};
 use pairtrawl_geometry::{Point, Segment};
-use pairtrawl_model::{Robot, Scales, Scene};
+use pairtrawl_model::{BodyCircle, Robot, Scales, Scene, Side};
 use std::fmt;
 
 /// Everything that a robot's center keeps its radius from: obstacles and objects' footprint circles.
 pub(super) struct Things<'a> {
     pub(super) scene: &'a Scene,
     pub(super) obstacles: Obstacles<'a>,
-    /// What a robot keeps around its axle center from everything at least, m: half of the gap that it needs.
+    /// What a robot keeps around its axle center from everything at least, m.
     pub(super) keep: f64,
+    /// The largest circle of a robot's body: it has to get wherever the robot goes.
+    pub(super) largest: BodyCircle,
     /// The scene's length scale, m.
     pub(super) scale: f64,
 }
@@ -18,6 +20,21 @@ pub(super) struct Things<'a> {
 /// most.
 pub(super) fn sure_radius(robot: &Robot) -> f64 {
     robot.circles().inner_radius()
+}
+
+/// The largest circle of a robot's body; of equal ones that which is nearest to the axle center.
+fn largest(robot: &Robot) -> BodyCircle {
+    let body = robot.circles();
+    let larger = |a: &BodyCircle, b: &BodyCircle| {
+        b.radius > a.radius || (b.radius == a.radius && b.offset() < a.offset())
+    };
+    let mut largest = body.circles()[0];
+    for circle in body.circles() {
+        if larger(&largest, circle) {
+            largest = *circle;
+        }
+    }
+    largest
 }
 
 /// One of them.
@@ -43,8 +60,33 @@ impl<'a> Things<'a> {
             scene,
             obstacles,
             keep: sure_radius(&scene.robot),
+            largest: largest(&scene.robot),
             scale: Scales::of(scene).length,
         })
+    }
+
+    /// The gap between an obstacle and a footprint circle of this radius that an axle center needs to pass between them, m.
+    pub(super) fn gap_to_pass(&self, footprint: f64) -> f64 {
+        let body = self.scene.robot.circles();
+        let needed = |c: &BodyCircle| {
+            let (r, o) = (c.radius, c.offset());
+            if c.is_centered() {
+                return 2.0 * r;
+            }
+            // A circle that does not contain the axle center may be elsewhere.
+            if o >= r {
+                return 0.0;
+            }
+            let leg = |reach: f64| (reach * reach - o * o).sqrt();
+            leg(footprint + r) + leg(r) - footprint
+        };
+        body.circles().iter().map(needed).fold(0.0, f64::max)
+    }
+
+    /// Where the largest circle of a robot is at the scene's start and at its end.
+    pub(super) fn ends_of_largest(&self, side: Side) -> [Point; 2] {
+        let ends = [self.scene.start, self.scene.end];
+        ends.map(|pair| self.largest.center_at(pair.robot(side)))
     }
 
     /// The signed distance of a point to the nearest thing when it is below `bound`, leaving out one object.

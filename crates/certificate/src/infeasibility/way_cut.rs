@@ -5,7 +5,8 @@ use super::things::Things;
 
 /// Words for a robot whose start and end no chain of cells joins.
 pub(super) fn proof(things: &Things<'_>, space: &FreeSpace, reached: &Reached, run: Run) -> Proof {
-    let narrowest = narrowest(things, run.start, run.end, None);
+    let [start, end] = things.ends_of_largest(run.side);
+    let narrowest = narrowest(things, start, end, None);
     Proof {
         kind: ProofKind::WayCut {
             robot: run.side,
