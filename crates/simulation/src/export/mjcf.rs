@@ -3,7 +3,7 @@ use super::{TALL, escape, number, numbers};
 use crate::SimulationError;
 use crate::obstacles::FixedShape;
 use pairtrawl_geometry::{Point, Pose, wrap_angle};
-use pairtrawl_model::{Footprint, Object, PairTrajectory, Scene, Side};
+use pairtrawl_model::{BodyCircle, Footprint, Object, PairTrajectory, Scene, Side};
 use std::fmt::Write;
 
 /// Radius of the feet, m.
@@ -92,11 +92,16 @@ fn write_model(
         "    <connect name=\"right_hitch\" site1=\"net_end\" site2=\"right_ring\" solref=\"0.004 1\"/>"
     )?;
     writeln!(out, "  </equality>")?;
-    writeln!(
-        out,
-        "  <contact><exclude body1=\"right\" body2=\"link_{}\"/></contact>",
-        links - 1
-    )?;
+    // What is tied together does not touch, nor do links of the net within the body that tows them.
+    let mut apart = vec![("right", links - 1)];
+    for i in 1..layout.parameters.links_within_body().min(links) {
+        apart.extend([("left", i), ("right", links - 1 - i)]);
+    }
+    write!(out, "  <contact>")?;
+    for (side, link) in apart {
+        write!(out, "<exclude body1=\"{side}\" body2=\"link_{link}\"/>")?;
+    }
+    writeln!(out, "</contact>")?;
     writeln!(out, "  <actuator>")?;
     for side in ["left", "right"] {
         for (joint, gain) in [("x", 1000.0), ("y", 1000.0), ("heading", 20.0)] {
@@ -191,12 +196,26 @@ fn write_robot(out: &mut String, layout: &Layout, side: Side) -> std::fmt::Resul
         number(physics.robot_mass),
         numbers([tilt, tilt, physics.robot_inertia])
     )?;
-    writeln!(
-        out,
-        "      <geom class=\"solid\" type=\"box\" pos=\"{}\" size=\"{}\" rgba=\"0.2 0.3 0.7 1\"/>",
-        numbers([-base.behind_axle, 0.0, 0.08]),
-        numbers([base.half_side, base.half_side, 0.07])
-    )?;
+    let solids = match layout.parameters.robot.body {
+        None => vec![(
+            "box",
+            numbers([-base.behind_axle, 0.0, 0.08]),
+            numbers([base.half_side, base.half_side, 0.07]),
+        )],
+        Some(body) => {
+            let cylinder = |c: &BodyCircle| {
+                let place = numbers([c.center.x, c.center.y, 0.08]);
+                ("cylinder", place, numbers([c.radius, 0.07]))
+            };
+            body.circles().iter().map(cylinder).collect()
+        }
+    };
+    for (shape, place, size) in solids {
+        writeln!(
+            out,
+            "      <geom class=\"solid\" type=\"{shape}\" pos=\"{place}\" size=\"{size}\" rgba=\"0.2 0.3 0.7 1\"/>"
+        )?;
+    }
     match side {
         Side::Left => write_link(out, layout, 0, Point::new(-hitch, 0.0))?,
         Side::Right => {

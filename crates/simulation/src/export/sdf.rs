@@ -1,7 +1,7 @@
 use super::layout::Layout;
 use super::{TALL, escape, number, numbers};
-use crate::SimulationError;
 use crate::obstacles::FixedShape;
+use crate::{Parameters, SimulationError};
 use pairtrawl_geometry::{Point, Pose};
 use pairtrawl_model::{Footprint, PairTrajectory, Scene, Side};
 use std::fmt::{Result as Written, Write};
@@ -69,7 +69,7 @@ fn write_world(out: &mut String, scene: &Scene, layout: &Layout) -> Written {
     writeln!(
         out,
         "<collision name=\"collision\">{plane}{}</collision>",
-        surface(1.0)
+        surface(1.0, None)
     )?;
     writeln!(
         out,
@@ -103,7 +103,13 @@ fn write_world(out: &mut String, scene: &Scene, layout: &Layout) -> Written {
         writeln!(
             out,
             "{}</model>",
-            link("link", "", &inertia, &geometry, physics.object_friction)
+            link(
+                "link",
+                "",
+                &inertia,
+                &geometry,
+                &surface(physics.object_friction, None)
+            )
         )?;
     }
     writeln!(out, "</world>\n</sdf>")
@@ -141,14 +147,17 @@ fn write_obstacle(out: &mut String, index: usize, shape: &FixedShape, friction: 
         "<model name=\"obstacle_{index}\"><static>true</static>{}",
         pose(place, height)
     )?;
-    writeln!(out, "{}</model>", link("link", "", "", &geometry, friction))
+    writeln!(
+        out,
+        "{}</model>",
+        link("link", "", "", &geometry, &surface(friction, None))
+    )
 }
 
 fn write_robot(out: &mut String, layout: &Layout, side: Side) -> Written {
     let parameters = &layout.parameters;
-    let (physics, robot, base) = (&parameters.physics, parameters.robot, parameters.base);
+    let (physics, robot) = (&parameters.physics, parameters.robot);
     let radius = physics.wheel_radius;
-    let size = 2.0 * base.half_side;
     writeln!(
         out,
         "<model name=\"{}\">{}",
@@ -168,11 +177,7 @@ fn write_robot(out: &mut String, layout: &Layout, side: Side) -> Written {
         "<link name=\"base_link\">{}{body}",
         pose(Pose::default(), 0.08)
     )?;
-    let offset = pose(Pose::new(-base.behind_axle, 0.0, 0.0), 0.0);
-    for kind in ["collision", "visual"] {
-        let shape = box_geometry(size, size, 0.14);
-        writeln!(out, "<{kind} name=\"{kind}\">{offset}{shape}</{kind}>")?;
-    }
+    write_solids(out, parameters)?;
     writeln!(out, "</link>")?;
     for (name, y) in [
         ("left_wheel", robot.half_track),
@@ -191,7 +196,13 @@ fn write_robot(out: &mut String, layout: &Layout, side: Side) -> Written {
         writeln!(
             out,
             "{}",
-            link(name, &place, &inertia, &shape, physics.wheel_friction)
+            link(
+                name,
+                &place,
+                &inertia,
+                &shape,
+                &surface(physics.wheel_friction, None)
+            )
         )?;
         writeln!(
             out,
@@ -205,7 +216,13 @@ fn write_robot(out: &mut String, layout: &Layout, side: Side) -> Written {
         writeln!(
             out,
             "{}",
-            link(name, &place, &inertia, shape, CASTER_FRICTION)
+            link(
+                name,
+                &place,
+                &inertia,
+                shape,
+                &surface(CASTER_FRICTION, None)
+            )
         )?;
         writeln!(
             out,
@@ -222,6 +239,39 @@ fn write_robot(out: &mut String, layout: &Layout, side: Side) -> Written {
     writeln!(out, "</model>")
 }
 
+/// What the robot touches with: its square base, or a cylinder for each circle of its body.
+fn write_solids(out: &mut String, parameters: &Parameters) -> Written {
+    let base = parameters.base;
+    let Some(body) = parameters.robot.body else {
+        let offset = pose(Pose::new(-base.behind_axle, 0.0, 0.0), 0.0);
+        let size = 2.0 * base.half_side;
+        for kind in ["collision", "visual"] {
+            let shape = box_geometry(size, size, 0.14);
+            writeln!(out, "<{kind} name=\"{kind}\">{offset}{shape}</{kind}>")?;
+        }
+        return Ok(());
+    };
+    for (i, circle) in body.circles().iter().enumerate() {
+        let offset = pose(Pose::at(circle.center, 0.0), 0.0);
+        let shape = cylinder_geometry(circle.radius, 0.14);
+        let surface = surface(parameters.physics.contact_friction, Some(ROBOT_MASK));
+        writeln!(
+            out,
+            "<collision name=\"collision_{i}\">{offset}{shape}{surface}</collision><visual name=\"visual_{i}\">{offset}{shape}</visual>"
+        )?;
+    }
+    Ok(())
+}
+
+/// Two things touch when their masks have a bit in common; all have, unless they say otherwise.
+fn contact_mask(mask: u16) -> String {
+    format!("<contact><collide_bitmask>{mask}</collide_bitmask></contact>")
+}
+
+/// Of robots with a body, and of the links of the net within them.
+const ROBOT_MASK: u16 = 2;
+const WITHIN_MASK: u16 = 1;
+
 fn write_net(out: &mut String, layout: &Layout) -> Written {
     let parameters = &layout.parameters;
     let physics = &parameters.physics;
@@ -234,6 +284,8 @@ fn write_net(out: &mut String, layout: &Layout) -> Written {
         let inertia = inertial(parameters.link_mass, size, Point::ZERO);
         let placed = pose(*place, 0.5 * physics.net_height);
         let shape = box_geometry(size[0], size[1], size[2]);
+        let within = parameters.links_within_body();
+        let mask = (i < within || i + within >= layout.links.len()).then_some(WITHIN_MASK);
         writeln!(
             out,
             "{}",
@@ -242,7 +294,7 @@ fn write_net(out: &mut String, layout: &Layout) -> Written {
                 &placed,
                 &inertia,
                 &shape,
-                physics.net_friction
+                &surface(physics.net_friction, mask)
             )
         )?;
     }
@@ -273,16 +325,16 @@ fn write_net(out: &mut String, layout: &Layout) -> Written {
     )
 }
 
-fn link(name: &str, place: &str, inertia: &str, geometry: &str, friction: f64) -> String {
+fn link(name: &str, place: &str, inertia: &str, geometry: &str, surface: &str) -> String {
     format!(
-        "<link name=\"{name}\">{place}{inertia}<collision name=\"collision\">{geometry}{}</collision><visual name=\"visual\">{geometry}</visual></link>",
-        surface(friction)
+        "<link name=\"{name}\">{place}{inertia}<collision name=\"collision\">{geometry}{surface}</collision><visual name=\"visual\">{geometry}</visual></link>"
     )
 }
 
-fn surface(friction: f64) -> String {
+fn surface(friction: f64, mask: Option<u16>) -> String {
     let mu = number(friction);
-    format!("<surface><friction><ode><mu>{mu}</mu><mu2>{mu}</mu2></ode></friction></surface>")
+    let mask = mask.map_or_else(String::new, contact_mask);
+    format!("<surface>{mask}<friction><ode><mu>{mu}</mu><mu2>{mu}</mu2></ode></friction></surface>")
 }
 
 fn pose(place: Pose, height: f64) -> String {
