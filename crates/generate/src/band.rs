@@ -1,5 +1,5 @@
 use crate::shape;
-use pairtrawl_geometry::Point;
+use pairtrawl_geometry::{Bounds, Point, Segment};
 use pairtrawl_model::{Obstacle, PairTrajectory, Robot};
 use std::collections::BTreeMap;
 
@@ -112,8 +112,8 @@ impl<'a> Band<'a> {
 
     /// Distance from an obstacle to everything that the pair sweeps, at most `reach`.
     pub(crate) fn obstacle_distance(&self, obstacle: &Obstacle, reach: f64) -> f64 {
-        let (lo, hi) = shape::bounds(obstacle);
-        self.all.nearest(lo, hi, reach, |a, b| {
+        let Bounds { min, max } = shape::bounds(obstacle);
+        self.all.nearest(min, max, reach, |a, b| {
             shape::segment_obstacle(a, b, obstacle)
         })
     }
@@ -121,7 +121,7 @@ impl<'a> Band<'a> {
     /// Distance from a point to both robots' paths, at most `reach`.
     pub(crate) fn path_distance(&self, p: Point, reach: f64) -> f64 {
         self.paths
-            .nearest(p, p, reach, |a, b| shape::point_segment(p, a, b))
+            .nearest(p, p, reach, |a, b| Segment::new(a, b).distance(p))
     }
 
     /// True when the point lies strictly inside the quadrilateral of some step.

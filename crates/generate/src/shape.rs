@@ -1,16 +1,5 @@
-use pairtrawl_geometry::Point;
+use pairtrawl_geometry::{Bounds, Point, Segment};
 use pairtrawl_model::Obstacle;
-
-/// Distance from a point to the segment a b.
-pub(crate) fn point_segment(p: Point, a: Point, b: Point) -> f64 {
-    let d = b - a;
-    let t = if d.norm_squared() > 0.0 {
-        ((p - a).dot(d) / d.norm_squared()).clamp(0.0, 1.0)
-    } else {
-        0.0
-    };
-    p.distance(a + d * t)
-}
 
 /// Distance between the segments a b and c d; 0 when they cross.
 pub(crate) fn segment_segment(a: Point, b: Point, c: Point, d: Point) -> f64 {
@@ -18,10 +7,10 @@ pub(crate) fn segment_segment(a: Point, b: Point, c: Point, d: Point) -> f64 {
     if side(a, b, c) * side(a, b, d) < 0.0 && side(c, d, a) * side(c, d, b) < 0.0 {
         return 0.0;
     }
-    point_segment(a, c, d)
-        .min(point_segment(b, c, d))
-        .min(point_segment(c, a, b))
-        .min(point_segment(d, a, b))
+    let (one, other) = (Segment::new(a, b), Segment::new(c, d));
+    (other.distance(a).min(other.distance(b)))
+        .min(one.distance(c))
+        .min(one.distance(d))
 }
 
 /// Corners of a box, counter-clockwise.
@@ -45,30 +34,21 @@ pub(crate) fn segment_obstacle(a: Point, b: Point, obstacle: &Obstacle) -> f64 {
     match obstacle {
         Obstacle::Box { min, max } => segment_polygon(a, b, &corners(*min, *max)),
         Obstacle::Polygon(vertices) => segment_polygon(a, b, vertices),
-        Obstacle::Circle { center, radius } => (point_segment(*center, a, b) - radius).max(0.0),
+        Obstacle::Circle { center, radius } => {
+            (Segment::new(a, b).distance(*center) - radius).max(0.0)
+        }
     }
 }
 
-/// Lower left and upper right corner of the obstacle's bounding box.
-pub(crate) fn bounds(obstacle: &Obstacle) -> (Point, Point) {
+/// The obstacle's bounding box.
+pub(crate) fn bounds(obstacle: &Obstacle) -> Bounds {
     match obstacle {
-        Obstacle::Box { min, max } => (*min, *max),
-        Obstacle::Circle { center, radius } => {
-            let r = Point::new(*radius, *radius);
-            (*center - r, *center + r)
-        }
-        Obstacle::Polygon(vertices) => vertices.iter().fold(
-            (
-                Point::new(f64::INFINITY, f64::INFINITY),
-                Point::new(f64::NEG_INFINITY, f64::NEG_INFINITY),
-            ),
-            |(lo, hi), p| {
-                (
-                    Point::new(lo.x.min(p.x), lo.y.min(p.y)),
-                    Point::new(hi.x.max(p.x), hi.y.max(p.y)),
-                )
-            },
-        ),
+        Obstacle::Box { min, max } => Bounds {
+            min: *min,
+            max: *max,
+        },
+        Obstacle::Circle { center, radius } => Bounds::of_disc(*center, *radius),
+        Obstacle::Polygon(vertices) => Bounds::of(vertices),
     }
 }
 

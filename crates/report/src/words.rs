@@ -110,14 +110,10 @@ pub(crate) fn visits(summary: &Summary) -> String {
 
 /// How the optimizer ended.
 pub(crate) fn solver(solver: &SolverReport) -> String {
-    let status = match solver.status {
-        SolverStatus::Converged => "converged",
-        SolverStatus::LocallyInfeasible => "locally infeasible",
-        SolverStatus::IterationLimit => "iteration limit reached",
-        SolverStatus::TimeLimit => "time limit reached",
-        SolverStatus::NumericalTrouble => "numerical trouble",
-        SolverStatus::NotStated => return "not stated".to_owned(),
-    };
+    let status = solver.status.name().replace('_', " ");
+    if solver.status == SolverStatus::NotStated {
+        return status;
+    }
     let mut words = format!("{status} after {} iterations", solver.iterations);
     if solver.kkt_error.is_finite() {
         words += &format!(", KKT error {}", numbers::residual(solver.kkt_error));

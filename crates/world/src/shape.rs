@@ -1,6 +1,6 @@
 //! Distances of convex pieces, exact up to rounding.
 
-use pairtrawl_geometry::{Bounds, Convex, Point};
+use pairtrawl_geometry::{Bounds, Convex, Point, Segment};
 
 /// Signed distance of a point from a convex piece, m: negative inside, where it is minus the distance to the boundary.
 pub fn signed_distance(piece: &Convex, p: Point) -> f64 {
@@ -10,7 +10,7 @@ pub fn signed_distance(piece: &Convex, p: Point) -> f64 {
             let mut nearest = f64::INFINITY;
             let mut inside = true;
             for (a, b) in edges(vertices) {
-                nearest = nearest.min(segment_distance_squared(a, b, p));
+                nearest = nearest.min((p - Segment::new(a, b).nearest(p)).norm_squared());
                 inside &= (b - a).cross(p - a) >= 0.0;
             }
             if inside {
@@ -25,16 +25,6 @@ pub fn signed_distance(piece: &Convex, p: Point) -> f64 {
 /// The edges of a closed polygon.
 pub fn edges(vertices: &[Point]) -> impl Iterator<Item = (Point, Point)> + '_ {
     (0..vertices.len()).map(move |i| (vertices[i], vertices[(i + 1) % vertices.len()]))
-}
-
-fn segment_distance_squared(a: Point, b: Point, p: Point) -> f64 {
-    let d = b - a;
-    let t = if d.norm_squared() > 0.0 {
-        ((p - a).dot(d) / d.norm_squared()).clamp(0.0, 1.0)
-    } else {
-        0.0
-    };
-    (p - a - d * t).norm_squared()
 }
 
 /// The piece with each point moved by `f`, which must be a rigid motion and a scaling by `scale`.
