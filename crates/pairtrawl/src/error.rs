@@ -234,3 +234,28 @@ impl From<RouteError> for PlanError {
         }
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_search_that_was_given_up_gets_another_remedy_than_a_closed_way() {
+        let (from, to) = (Point::ZERO, Point::new(1.0, 2.0));
+        let no_plan = |error: RouteError| match PlanError::from(error) {
+            PlanError::NoPlan(not_found) => not_found.missing,
+            other => panic!("{other}"),
+        };
+        let given_up = no_plan(RouteError::SearchLimit {
+            from,
+            to,
+            states: 9,
+        });
+        assert_eq!(given_up.place(), Some(to));
+        let remedy = given_up.remedy().unwrap();
+        assert!(remedy.contains("another seed"), "{remedy}");
+        let closed = no_plan(RouteError::NoPath { from, to });
+        let remedy = closed.remedy().unwrap();
+        assert!(remedy.contains("widen the passage"), "{remedy}");
+    }
+}

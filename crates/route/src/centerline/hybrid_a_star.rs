@@ -227,3 +227,20 @@ pub(crate) fn shot_price(corridor: &Corridor, poses: &[Pose], length: f64) -> Op
     }
     Some(price)
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn only_a_search_that_has_seen_everything_says_that_there_is_no_way() {
+        let (from, to) = (Point::ZERO, Point::new(1.0, 0.0));
+        let after = |expansions| Ended::after(expansions).into_error(from, to);
+        assert_eq!(after(MAX_EXPANSIONS), RouteError::NoPath { from, to });
+        let states = MAX_EXPANSIONS;
+        assert_eq!(
+            after(MAX_EXPANSIONS + 1),
+            RouteError::SearchLimit { from, to, states }
+        );
+    }
+}

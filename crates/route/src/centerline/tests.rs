@@ -167,6 +167,35 @@ fn a_gap_just_wide_enough_for_the_pair_is_found_and_a_closed_one_is_an_error() {
 }
 
 #[test]
+fn a_search_that_is_given_up_does_not_say_that_the_way_is_closed() {
+    let centers = [[7.0, 3.0]];
+    let s = scene(
+        9.0,
+        6.0,
+        &centers,
+        pair_pose(1.5, 1.5, 0.0),
+        pair_pose(8.0, 3.0, 0.0),
+    );
+    let itinerary = Itinerary::new(&circles(&centers), &s, &[0]).unwrap();
+    // The way leads around the upper end of a wall: no straight edge goes there.
+    let terrain = Terrain::sample(&s, |p| box_distance(p, [4.0, -1.0, 4.3, 3.5]));
+    assert!(hybrid_a_star::on_terrain(&terrain, &itinerary).is_ok());
+    let error = rrt_star::on_terrain(&terrain, &itinerary, 1, 1).unwrap_err();
+    let (from, to) = (Point::new(1.5, 1.5), Point::new(7.0, 3.0));
+    let states = 1;
+    assert_eq!(error, RouteError::SearchLimit { from, to, states });
+    let words = error.to_string();
+    assert!(
+        words.contains("within 1 states") && words.contains("there may be one"),
+        "{words}"
+    );
+    // What is said in meters keeps its places and the count.
+    let (from, to) = (from * 2.0, to * 2.0);
+    let meters = error.in_meters(2.0);
+    assert_eq!(meters, RouteError::SearchLimit { from, to, states });
+}
+
+#[test]
 fn objects_on_the_way_are_well_inside_or_outside_of_the_band() {
     // The last object lies where the left robot would drive on the straight line.
     let centers = [[2.5, 2.0], [8.0, 2.0], [5.0, 2.3]];
