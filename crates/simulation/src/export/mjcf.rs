@@ -1,15 +1,14 @@
+mod foot;
+
 use super::layout::Layout;
 use super::{TALL, escape, number, numbers};
 use crate::SimulationError;
 use crate::obstacles::FixedShape;
+use foot::{FOOT, FOOT_SHARE, Foot};
 use pairtrawl_geometry::{Point, Pose, wrap_angle};
 use pairtrawl_model::{BodyCircle, Footprint, Object, PairTrajectory, Scene, Side};
 use std::fmt::Write;
 
-/// Radius of the feet, m.
-const FOOT: f64 = 0.003;
-/// Share of a body's mass in all its feet; they press with the weight of all of it.
-const FOOT_SHARE: f64 = 1.0 / 6.0;
 /// Height of the objects, m.
 const OBJECT_HEIGHT: f64 = 0.05;
 
@@ -268,7 +267,7 @@ fn write_link(out: &mut String, layout: &Layout, index: usize, place: Point) -> 
             gravity: physics.gravity,
             class: "net_foot",
         };
-        write_foot(out, &format!("link_{index}_{end}"), &foot)?;
+        foot.write(out, &format!("link_{index}_{end}"))?;
     }
     if index + 1 < layout.links.len() {
         write_link(out, layout, index + 1, Point::new(length, 0.0))?;
@@ -339,33 +338,9 @@ fn write_object(out: &mut String, index: usize, object: &Object, gravity: f64) -
             gravity,
             class: "object_foot",
         };
-        write_foot(out, &format!("object_{index}_{i}"), &foot)?;
+        foot.write(out, &format!("object_{index}_{i}"))?;
     }
     writeln!(out, "    </body>")
-}
-
-/// A foot: a point of a body where it stands.
-struct Foot {
-    place: Point,
-    /// Mass that stands on it, kg.
-    mass: f64,
-    /// m/s^2.
-    gravity: f64,
-    class: &'static str,
-}
-
-/// Writes a foot. It has but a part of the mass that stands on it; up and down it has all of the inertia (armature) and all of
-/// the weight (a long soft spring).
-fn write_foot(out: &mut String, name: &str, foot: &Foot) -> std::fmt::Result {
-    let rest = foot.mass * (1.0 - FOOT_SHARE);
-    writeln!(
-        out,
-        "<body name=\"foot_{name}\" pos=\"{}\"><joint name=\"foot_{name}\" type=\"slide\" axis=\"0 0 1\" armature=\"{rest:e}\" stiffness=\"{:e}\" springref=\"-1\"/><inertial pos=\"0 0 0\" mass=\"{}\" diaginertia=\"1e-9 1e-9 1e-9\"/><geom class=\"{}\"/></body>",
-        numbers([foot.place.x, foot.place.y, FOOT]),
-        rest * foot.gravity,
-        number(foot.mass * FOOT_SHARE),
-        foot.class
-    )
 }
 
 fn write_plan(out: &mut String, trajectory: &PairTrajectory) -> std::fmt::Result {
