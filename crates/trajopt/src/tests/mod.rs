@@ -6,6 +6,7 @@
 )]
 
 mod band;
+mod bodies;
 mod case;
 mod cost;
 mod derivative_check;
