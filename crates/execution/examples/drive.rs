@@ -2,7 +2,7 @@
 //! (`bench/mujoco`) compare themselves with this engine.
 //!
 //! Input: `scene` as in a scene file (`obstacles`, `objects`, optional `robot.hitch`, `physics`, `net.start`), `net_length`,
-//! `left`, `right` (poses), `step_time`, optional `time_step`, `settle_time`, `frame_interval`; `export`: `mjcf` or `sdf` to print that instead.
+//! `left`, `right` (poses), `step_time`, optional `engine` (`implicit` or `rapier`), `time_step`, `settle_time`, `frame_interval`; `export`: `mjcf` or `sdf` to print that instead.
 
 use pairtrawl_execution::{evenly_sampled, rehearse};
 use pairtrawl_geometry::{Point, Pose};
@@ -31,11 +31,13 @@ fn main() -> Result<(), Box<dyn Error>> {
     if input["quick"].as_bool() == Some(true) {
         options = Options::quick();
     }
+    if input["engine"] == "rapier" {
+        options = Options::rapier();
+    }
     let given = |key: &str, default: f64| input[key].as_f64().unwrap_or(default);
     options.time_step = given("time_step", options.time_step);
     options.settle_time = given("settle_time", options.settle_time);
     options.frame_interval = given("frame_interval", options.frame_interval);
-    options.iterations = given("iterations", options.iterations as f64) as usize;
     let reference = Reference::of_scene(&scene, &trajectory)?;
     // Other engines follow poses that are linear in time: the same motion, finely sampled.
     let sampled = evenly_sampled(&reference, 0.02);

@@ -16,7 +16,10 @@ use std::sync::Arc;
 
 /// Steps of 2 ms, as long as a tick.
 fn options() -> Options {
-    Options::quick()
+    Options {
+        time_step: 2e-3,
+        ..Options::default()
+    }
 }
 
 fn scene() -> Scene {

@@ -1,70 +1,31 @@
-//! The engine's settings, and small conversions between its types and ours.
-
-use crate::Parameters;
-use pairtrawl_geometry::{Point, Pose};
-use rapier2d_f64::dynamics::SpringCoefficients;
-use rapier2d_f64::prelude::{PhysicsWorld, RigidBody, Vector};
-
-/// A planar world without gravity.
-pub(crate) fn new_world(parameters: &Parameters) -> PhysicsWorld {
-    let mut world = PhysicsWorld {
-        gravity: Vector::ZERO,
-        ..PhysicsWorld::new()
-    };
-    let settings = &mut world.integration_parameters;
-    settings.dt = parameters.time_step;
-    settings.num_solver_iterations = parameters.iterations;
-    settings.num_internal_pgs_iterations = parameters.sweeps;
-    settings.num_internal_stabilization_iterations = 1;
-    settings.friction_in_bias_pass = true;
-    settings.warmstart_joints = true;
-    // Stale contact points let a sliding cube stick.
-    settings.contact_recycling = false;
-    // Links are a tenth of the unit of length long.
-    settings.length_unit = 0.1;
-    // The default softness scales with the 2 g link and lets a snagged net slide through a post.
-    settings.contact_softness = SpringCoefficients {
-        natural_frequency: 1e6,
-        damping_ratio: 1.0,
-    };
-    settings.static_contact_softness = settings.contact_softness;
-    // A step moves bodies by a fraction of the net's thickness.
-    settings.max_ccd_substeps = 0;
-    world
+/// What computes the motion.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub enum Engine {
+    /// The engine of this project: a chain and contacts in implicit steps (`pairtrawl-dynamics`).
+    #[default]
+    Implicit,
+    /// rapier, a general engine of rigid bodies, in small steps.
+    #[cfg(feature = "rapier")]
+    Rapier(RapierSolver),
 }
 
-pub(crate) fn vector(p: Point) -> Vector {
-    Vector::new(p.x, p.y)
+/// How often rapier iterates.
+#[cfg(feature = "rapier")]
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct RapierSolver {
+    /// Solver iterations (substeps) per time step.
+    pub iterations: usize,
+    /// Gauss-Seidel sweeps over joints and contacts per solver iteration.
+    pub sweeps: usize,
 }
 
-pub(crate) fn point(v: Vector) -> Point {
-    Point::new(v.x, v.y)
-}
-
-/// The unit vector at an angle, with the same bits on every machine.
-pub(crate) fn unit(angle: f64) -> Point {
-    let (sin, cos) = libm::sincos(angle);
-    Point::new(cos, sin)
-}
-
-/// Origin and turn of a body.
-pub(crate) fn pose_of(body: &RigidBody) -> Pose {
-    let rotation = body.rotation();
-    Pose::at(
-        point(body.translation()),
-        libm::atan2(rotation.sin(), rotation.cos()),
-    )
-}
-
-/// A point of the body frame, in the map frame.
-pub(crate) fn world_point(body: &RigidBody, local: Point) -> Point {
-    let rotation = body.rotation();
-    let (c, s) = (rotation.cos(), rotation.sin());
-    point(body.translation()) + Point::new(c * local.x - s * local.y, s * local.x + c * local.y)
-}
-
-/// Velocity of a body's material point, m/s.
-pub(crate) fn velocity_at(body: &RigidBody, place: Point) -> Point {
-    let arm = place - point(body.center_of_mass());
-    point(body.linvel()) + arm.perp() * body.angvel()
+impl Engine {
+    /// Longest time step, for a machine of the paper's size, s.
+    pub(crate) fn longest_step(self) -> f64 {
+        match self {
+            Self::Implicit => 2e-2,
+            #[cfg(feature = "rapier")]
+            Self::Rapier(_) => 4e-3,
+        }
+    }
 }

@@ -8,36 +8,36 @@
 //! record of what happened.
 //! The result depends on nothing but its inputs: same bits on every run, machine and number of threads.
 
-mod contacts;
+mod contact;
 mod conversion;
 mod drive;
 mod engine;
 mod error;
 pub mod export;
-mod ground_friction;
-mod net;
+mod implicit;
 mod net_start;
-mod objects;
 mod obstacles;
 mod options;
 mod parameters;
+mod part;
+mod physics;
+#[cfg(feature = "rapier")]
+mod rapier;
 mod region;
-mod robots;
-mod servo;
 mod simulation;
 mod state;
-mod tag;
-#[cfg(test)]
-mod theory_tests;
 mod watch;
 
-pub use contacts::Contact;
+pub use contact::Contact;
 pub use drive::RobotDrive;
+pub use engine::Engine;
+#[cfg(feature = "rapier")]
+pub use engine::RapierSolver;
 pub use error::SimulationError;
 pub use options::Options;
 pub use parameters::{Base, Parameters};
+pub use part::Part;
 pub use region::{distance_outside, encloses};
 pub use simulation::Simulation;
 pub use state::{RobotLoad, RobotState};
-pub use tag::Part;
 pub use watch::Watch;

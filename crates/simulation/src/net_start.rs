@@ -5,14 +5,12 @@
 //! spans the gap: a circular arc for a short net, straight legs and a round bottom for a long one. A fold: the chain goes
 //! up and down like an accordion, k links each way, with the slope for which it spans the gap.
 
-use crate::engine::unit;
-use crate::objects::distance_to_segment;
+use crate::obstacles::FixedShape;
+use crate::region::distance_to_segment;
 use crate::{Base, Parameters, SimulationError};
+use pairtrawl_dynamics::Obstacle;
 use pairtrawl_geometry::{Point, Pose};
 use pairtrawl_model::{BodyCircle, Footprint, Scene, Side, Warning};
-use rapier2d_f64::parry::math::Pose as Isometry;
-use rapier2d_f64::parry::query::intersection_test;
-use rapier2d_f64::parry::shape::{Ball, Cuboid, SharedShape};
 use std::f64::consts::FRAC_PI_2;
 
 /// A given start shape may end this far from the hitches, in units of the machine.
@@ -29,7 +27,7 @@ pub(crate) struct NetStart {
 /// What a link must not overlap at the start.
 pub(crate) struct Surroundings {
     /// Obstacles, objects, then the parts of the left robot and those of the right one.
-    shapes: Vec<(Isometry, SharedShape)>,
+    shapes: Vec<Obstacle>,
     /// Number of parts of one robot.
     robot_parts: usize,
     /// As many links at each end may lie within the robot that holds them.
@@ -43,9 +41,9 @@ pub(crate) fn lay(
     scene: &Scene,
     parameters: &Parameters,
     robots: [Pose; 2],
-    obstacles: Vec<(Isometry, SharedShape)>,
+    obstacles: Vec<Obstacle>,
 ) -> Result<NetStart, SimulationError> {
-    let hitches = robots.map(|pose| pose.position() - unit(pose.heading) * parameters.robot.hitch);
+    let hitches = robots.map(|pose| pose.position() - pose.forward() * parameters.robot.hitch);
     let net_length = parameters.link_length * parameters.links as f64;
     let gap = (hitches[1] - hitches[0]).norm();
     if gap > net_length * (1.0 + 1e-9) {
@@ -142,7 +140,7 @@ fn chain(hitches: [Point; 2], parameters: &Parameters, turns: &[f64]) -> Vec<Poi
     let mut nodes = vec![hitches[0]];
     let mut place = hitches[0];
     for turn in turns {
-        place += unit(base + turn) * parameters.link_length;
+        place += Point::unit(base + turn) * parameters.link_length;
         nodes.push(place);
     }
     close(&mut nodes, hitches, parameters.link_length);
@@ -230,18 +228,22 @@ impl Surroundings {
         parameters: &Parameters,
         robots: [Pose; 2],
         hitches: [Point; 2],
-        obstacles: Vec<(Isometry, SharedShape)>,
+        obstacles: Vec<Obstacle>,
     ) -> Self {
         let mut shapes = obstacles;
         for object in &scene.objects {
-            let place = Isometry::new(crate::engine::vector(object.position), 0.0);
-            let shape = match object.footprint {
-                Footprint::Box(w, d) => SharedShape::new(Cuboid::new(crate::engine::vector(
-                    Point::new(0.5 * w, 0.5 * d),
-                ))),
-                Footprint::Disc(r) => SharedShape::new(Ball::new(r)),
-            };
-            shapes.push((place, shape));
+            shapes.push(match object.footprint {
+                Footprint::Box(w, d) => FixedShape::Box {
+                    center: object.position,
+                    half: Point::new(0.5 * w, 0.5 * d),
+                    turn: 0.0,
+                }
+                .obstacle(),
+                Footprint::Disc(radius) => Obstacle::Disc {
+                    center: object.position,
+                    radius,
+                },
+            });
         }
         let robot_parts = push_robots(&mut shapes, parameters, robots);
         Self {
@@ -263,13 +265,6 @@ impl Surroundings {
     }
 
     fn link_overlaps(&self, index: usize, ends: &[Point], last: usize) -> bool {
-        let along = ends[1] - ends[0];
-        let half = Point::new(0.5 * along.norm(), 0.5 * self.thickness);
-        let link = Cuboid::new(crate::engine::vector(half));
-        let place = Isometry::new(
-            crate::engine::vector(ends[0].lerp(ends[1], 0.5)),
-            libm::atan2(along.y, along.x),
-        );
         let robots = self.shapes.len() - 2 * self.robot_parts;
         let within = self.within_body.max(1);
         let at_hitch = |side: Side| {
@@ -283,31 +278,23 @@ impl Surroundings {
             i.checked_sub(robots)
                 .is_some_and(|part| part / self.robot_parts == side.index())
         };
-        self.shapes
-            .iter()
-            .enumerate()
-            .any(|(i, (position, shape))| {
-                !Side::BOTH
-                    .into_iter()
-                    .any(|side| is_part(i, side) && at_hitch(side))
-                    && intersection_test(&place, &link, position, shape.as_ref())
-                        .is_ok_and(|found| found.intersecting)
-            })
+        self.shapes.iter().enumerate().any(|(i, shape)| {
+            !Side::BOTH
+                .into_iter()
+                .any(|side| is_part(i, side) && at_hitch(side))
+                && shape.meets_link([ends[0], ends[1]], self.thickness)
+        })
     }
 }
 
 /// Adds the parts of both robots, the left one's first: their bases, or the circles of their bodies. Returns how many parts a
 /// robot has.
-fn push_robots(
-    shapes: &mut Vec<(Isometry, SharedShape)>,
-    parameters: &Parameters,
-    robots: [Pose; 2],
-) -> usize {
+fn push_robots(shapes: &mut Vec<Obstacle>, parameters: &Parameters, robots: [Pose; 2]) -> usize {
     if let Some(body) = parameters.robot.body {
         for pose in robots {
-            let ball = |c: &BodyCircle| {
-                let place = Isometry::new(crate::engine::vector(c.center_at(pose)), 0.0);
-                (place, SharedShape::new(Ball::new(c.radius)))
+            let ball = |c: &BodyCircle| Obstacle::Disc {
+                center: c.center_at(pose),
+                radius: c.radius,
             };
             shapes.extend(body.circles().iter().map(ball));
         }
@@ -318,12 +305,12 @@ fn push_robots(
         behind_axle,
     } = parameters.base;
     for pose in robots {
-        let center = pose.position() - unit(pose.heading) * behind_axle;
-        let half = crate::engine::vector(Point::new(half_side, half_side));
-        shapes.push((
-            Isometry::new(crate::engine::vector(center), pose.heading),
-            SharedShape::new(Cuboid::new(half)),
-        ));
+        let base = FixedShape::Box {
+            center: pose.position() - pose.forward() * behind_axle,
+            half: Point::new(half_side, half_side),
+            turn: pose.heading,
+        };
+        shapes.push(base.obstacle());
     }
     1
 }

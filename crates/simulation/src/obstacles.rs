@@ -1,12 +1,8 @@
 //! Fixed obstacles: boxes, discs, polygons in convex pieces, and the blocked cells of a map merged into rectangles.
 
-use crate::engine::{point, vector};
-use crate::{SimulationError, tag};
-use pairtrawl_geometry::Point;
+use crate::SimulationError;
+use pairtrawl_geometry::{Point, Polygon};
 use pairtrawl_model::{Obstacle, OccupancyMap, Scene};
-use rapier2d_f64::parry::shape::TriMesh;
-use rapier2d_f64::parry::transformation::hertel_mehlhorn;
-use rapier2d_f64::prelude::{ColliderBuilder, PhysicsWorld, Vector};
 
 /// Blocked cells farther than this from every free cell cannot be touched, in cells.
 const SKIN: i64 = 2;
@@ -27,6 +23,31 @@ pub(crate) enum FixedShape {
     },
     /// Vertices counter-clockwise.
     Convex(Vec<Point>),
+}
+
+impl FixedShape {
+    /// The same for the engine of this project.
+    pub(crate) fn obstacle(&self) -> pairtrawl_dynamics::Obstacle {
+        match self {
+            Self::Box { center, half, turn } => {
+                let (x, y) = (
+                    Point::unit(*turn) * half.x,
+                    Point::unit(*turn).perp() * half.y,
+                );
+                pairtrawl_dynamics::Obstacle::Polygon(vec![
+                    *center - x - y,
+                    *center + x - y,
+                    *center + x + y,
+                    *center - x + y,
+                ])
+            }
+            Self::Disc { center, radius } => pairtrawl_dynamics::Obstacle::Disc {
+                center: *center,
+                radius: *radius,
+            },
+            Self::Convex(vertices) => pairtrawl_dynamics::Obstacle::Polygon(vertices.clone()),
+        }
+    }
 }
 
 /// Every obstacle of the scene in convex shapes, each with its index in the scene (`None`: the map's).
@@ -56,10 +77,7 @@ pub(crate) fn shapes(scene: &Scene) -> Result<Vec<(Option<usize>, FixedShape)>, 
             }
             Obstacle::Polygon(vertices) => {
                 for piece in convex_pieces(vertices).ok_or(SimulationError::Polygon { index })? {
-                    shapes.push((
-                        Some(index),
-                        FixedShape::Convex(piece.into_iter().map(point).collect()),
-                    ));
+                    shapes.push((Some(index), FixedShape::Convex(piece)));
                 }
             }
         }
@@ -81,49 +99,23 @@ pub(crate) fn shapes(scene: &Scene) -> Result<Vec<(Option<usize>, FixedShape)>, 
     Ok(shapes)
 }
 
-/// Inserts every obstacle of the scene.
-pub(crate) fn insert(world: &mut PhysicsWorld, scene: &Scene) -> Result<(), SimulationError> {
-    for (index, shape) in shapes(scene)? {
-        let collider = match shape {
-            FixedShape::Box { center, half, turn } => ColliderBuilder::cuboid(half.x, half.y)
-                .translation(vector(center))
-                .rotation(turn),
-            FixedShape::Disc { center, radius } => {
-                ColliderBuilder::ball(radius).translation(vector(center))
-            }
-            FixedShape::Convex(vertices) => {
-                let broken = SimulationError::Polygon {
-                    index: index.unwrap_or_default(),
-                };
-                ColliderBuilder::convex_polyline(vertices.into_iter().map(vector).collect())
-                    .ok_or(broken)?
-            }
-        };
-        world.colliders.insert(
-            collider
-                .friction(scene.physics.contact_friction)
-                .user_data(tag::obstacle(index)),
-        );
-    }
-    Ok(())
-}
-
 /// Convex pieces of a simple polygon, counter-clockwise.
-fn convex_pieces(vertices: &[Point]) -> Option<Vec<Vec<Vector>>> {
-    let mut outline: Vec<Vector> = vertices.iter().map(|&p| vector(p)).collect();
+fn convex_pieces(vertices: &[Point]) -> Option<Vec<Vec<Point>>> {
+    let mut outline = vertices.to_vec();
     outline.dedup();
-    if outline.len() < 3 {
+    let mut polygon = Polygon::new(outline);
+    if polygon.signed_area() < 0.0 {
+        polygon = Polygon::new(polygon.vertices().iter().rev().copied().collect());
+    }
+    if polygon.check().is_err() {
         return None;
     }
-    let area: f64 = (0..vertices.len())
-        .map(|i| vertices[i].cross(vertices[(i + 1) % vertices.len()]))
-        .sum();
-    if area < 0.0 {
-        outline.reverse();
-    }
-    let mesh = TriMesh::from_polygon(outline)?;
-    let pieces = hertel_mehlhorn(mesh.vertices(), mesh.indices());
-    (!pieces.is_empty()).then_some(pieces)
+    Some(if polygon.is_convex() {
+        vec![polygon.vertices().to_vec()]
+    } else {
+        let triangles = polygon.triangles();
+        triangles.into_iter().map(|t| t.to_vec()).collect()
+    })
 }
 
 /// A rectangle of cells, in cell units.
@@ -249,10 +241,7 @@ mod tests {
                 .iter()
                 .map(|p| {
                     (0..p.len())
-                        .map(|i| {
-                            0.5 * crate::engine::point(p[i])
-                                .cross(crate::engine::point(p[(i + 1) % p.len()]))
-                        })
+                        .map(|i| 0.5 * p[i].cross(p[(i + 1) % p.len()]))
                         .sum::<f64>()
                 })
                 .sum();

@@ -26,10 +26,6 @@ pub struct Parameters {
     pub link_mass: f64,
     /// Time step, s.
     pub time_step: f64,
-    /// Solver iterations per step.
-    pub iterations: usize,
-    /// Gauss-Seidel sweeps per solver iteration.
-    pub sweeps: usize,
 }
 
 /// The outline of a robot without a body: a square in the body frame (x forward, origin on the axle).
@@ -121,8 +117,6 @@ impl Parameters {
             link_length: net_length / links,
             link_mass: physics.net_mass * net_length / links,
             time_step: options.time_step,
-            iterations: options.iterations,
-            sweeps: options.sweeps,
         })
     }
 

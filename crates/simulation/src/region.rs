@@ -1,6 +1,5 @@
 //! The region that the net holds: bounded by the net and the line between the hitches.
 
-use crate::objects::distance_to_segment;
 use pairtrawl_geometry::Point;
 
 /// True when the net (from hitch to hitch) and the hitch line enclose a point: the winding number is not zero.
@@ -26,6 +25,18 @@ pub fn distance_outside(net: &[Point], place: Point) -> f64 {
     (0..net.len())
         .map(|i| distance_to_segment(place, net[i], net[(i + 1) % net.len()]))
         .fold(f64::INFINITY, f64::min)
+}
+
+/// Distance of a point from a segment, m.
+pub(crate) fn distance_to_segment(p: Point, a: Point, b: Point) -> f64 {
+    let along = b - a;
+    let squared = along.norm_squared();
+    let t = if squared > 0.0 {
+        ((p - a).dot(along) / squared).clamp(0.0, 1.0)
+    } else {
+        0.0
+    };
+    (p - a.lerp(b, t)).norm()
 }
 
 #[cfg(test)]

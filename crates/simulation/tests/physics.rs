@@ -3,7 +3,7 @@
 mod scenes;
 
 use pairtrawl_geometry::Point;
-use pairtrawl_model::Obstacle;
+use pairtrawl_model::{Obstacle, Scene};
 use pairtrawl_simulation::{Options, Part, RobotDrive, Simulation};
 use rayon::prelude::*;
 use scenes::{CUBE, Numbers, cube, empty};
@@ -13,10 +13,15 @@ const CRUISE: RobotDrive = RobotDrive::Velocity {
     turn_rate: 0.0,
 };
 
+/// This project's engine and rapier.
+fn engines() -> [Options; 2] {
+    [Options::default(), Options::rapier()]
+}
+
 /// Dry friction: once the net slides as a whole along its pull, the robots together pull with mu m g, at any speed.
 #[test]
 fn an_empty_net_drags_with_mu_m_g() {
-    for options in [Options::default(), Options::quick()] {
+    for options in [Options::default(), Options::quick(), Options::rapier()] {
         for length in [1.45, 2.0] {
             let scene = empty();
             let mut simulation = Simulation::new(&scene, length, &options).unwrap();
@@ -54,8 +59,9 @@ fn a_snagged_net_holds_on_its_post() {
     square
         .obstacles
         .push(scenes::block(-0.06, -0.4, 0.1, -0.25));
-    for scene in [round, square] {
-        let mut simulation = Simulation::new(&scene, 2.0, &Options::default()).unwrap();
+    let cases = engines().map(|options| [(round.clone(), options), (square.clone(), options)]);
+    for (scene, options) in cases.into_iter().flatten() {
+        let mut simulation = Simulation::new(&scene, 2.0, &options).unwrap();
         // 5 N a wheel, and some damping of the yaw: a robot on a taut rope is a pendulum.
         let pull = |turn_rate: f64| RobotDrive::Torques {
             left: (5.0 + 0.2 * turn_rate) * scene.physics.wheel_radius,
@@ -103,6 +109,11 @@ fn a_snagged_net_holds_on_its_post() {
 #[test]
 fn no_cube_passes_through_the_net_in_100_random_drives() {
     let nearest = |seed: u64| -> f64 {
+        // Every tenth drive in rapier, which is slow.
+        let options = match seed % 10 {
+            0 => Options::rapier(),
+            _ => Options::quick(),
+        };
         let mut numbers = Numbers(seed);
         let mut scene = empty();
         scene.objects = (0..4)
@@ -115,15 +126,14 @@ fn no_cube_passes_through_the_net_in_100_random_drives() {
             numbers.between(-0.6, 0.6),
             numbers.between(-1.2, -1.0),
         ));
-        let mut simulation =
-            Simulation::new(&scene, numbers.between(1.3, 2.0), &Options::quick()).unwrap();
+        let mut simulation = Simulation::new(&scene, numbers.between(1.3, 2.0), &options).unwrap();
         let mut nearest = f64::INFINITY;
         for _ in 0..4 {
             let drive = [0, 1].map(|_| RobotDrive::Velocity {
                 forward: numbers.between(-0.1, 0.26),
                 turn_rate: numbers.between(-1.0, 1.0),
             });
-            for _ in 0..500 {
+            for _ in 0..(1.0 / options.time_step) as usize {
                 simulation.step(drive).unwrap();
             }
             nearest = nearest.min(clearance(&simulation));
@@ -168,7 +178,13 @@ fn energy_never_grows_without_drive() {
         cube(0.1, -0.45),
     ];
     scene.obstacles.push(scenes::block(-0.2, 1.1, 0.1, 1.3));
-    let mut simulation = Simulation::new(&scene, 1.6, &Options::default()).unwrap();
+    for options in engines() {
+        energy_falls(&scene, &options);
+    }
+}
+
+fn energy_falls(scene: &Scene, options: &Options) {
+    let mut simulation = Simulation::new(scene, 1.6, options).unwrap();
     let turn = [-0.4, 0.4].map(|turn_rate| RobotDrive::Velocity {
         forward: 0.25,
         turn_rate,

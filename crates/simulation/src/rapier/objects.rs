@@ -1,9 +1,11 @@
 //! Objects: rigid bodies on the floor. One that lies at rest out of everything's reach is taken out of the engine until
 //! something comes near; its place cannot change meanwhile.
 
-use crate::engine::{pose_of, vector, velocity_at, world_point};
-use crate::ground_friction::Bristle;
-use crate::{Parameters, tag};
+use super::ground_friction::Bristle;
+use super::settings::{pose_of, vector, velocity_at, world_point};
+use super::tag;
+use crate::Parameters;
+use crate::region::distance_to_segment;
 use pairtrawl_geometry::{Point, Pose};
 use pairtrawl_model::{Footprint, Object};
 use rapier2d_f64::prelude::{
@@ -109,7 +111,7 @@ impl Objects {
     pub(crate) fn apply(&mut self, world: &mut PhysicsWorld) {
         for item in self.items.iter_mut().filter(|item| item.awake) {
             let body = &world.bodies[item.handle];
-            let center = crate::engine::point(body.translation());
+            let center = super::settings::point(body.translation());
             let (mut force, mut torque) = (Point::ZERO, 0.0);
             for (support, deflection) in item.supports.iter().zip(&mut item.deflections) {
                 let place = world_point(body, *support);
@@ -207,7 +209,7 @@ impl Item {
 
     fn moves(&self, world: &PhysicsWorld) -> bool {
         let body = &world.bodies[self.handle];
-        crate::engine::point(body.linvel()).norm() > REST_SPEED
+        super::settings::point(body.linvel()).norm() > REST_SPEED
             || body.angvel().abs() > REST_SPEED / self.radius
     }
 
@@ -224,15 +226,4 @@ impl Item {
         }
         body.set_enabled(awake);
     }
-}
-
-pub(crate) fn distance_to_segment(p: Point, a: Point, b: Point) -> f64 {
-    let along = b - a;
-    let squared = along.norm_squared();
-    let t = if squared > 0.0 {
-        ((p - a).dot(along) / squared).clamp(0.0, 1.0)
-    } else {
-        0.0
-    };
-    (p - a.lerp(b, t)).norm()
 }

@@ -5,10 +5,11 @@
     reason = "tests compare with the standard library"
 )]
 
-use crate::engine::{new_world, point, unit, vector};
-use crate::objects::Objects;
-use crate::robots::RobotBody;
-use crate::{Options, Parameters, RobotDrive, tag};
+use super::objects::Objects;
+use super::robots::RobotBody;
+use super::settings::{new_world, point, vector};
+use super::tag;
+use crate::{Engine, Options, Parameters, RobotDrive};
 use pairtrawl_geometry::{Point, Pose};
 use pairtrawl_model::{
     Area, Footprint, NetSpec, Object, PairPose, PhysicsParameters, PlannerParameters, Robot, Scene,
@@ -39,6 +40,13 @@ pub(crate) fn scene(objects: Vec<Object>) -> Scene {
     }
 }
 
+fn solver() -> crate::RapierSolver {
+    match Options::rapier().engine {
+        Engine::Rapier(solver) => solver,
+        Engine::Implicit => unreachable!("the options are rapier's"),
+    }
+}
+
 /// A wall pushes a cube for 5 s at 0.2 m/s, moving at `angle` to its normal; how far the wall slips along the cube, m.
 fn slip_along_wall(angle: f64) -> f64 {
     let objects = vec![Object {
@@ -48,9 +56,9 @@ fn slip_along_wall(angle: f64) -> f64 {
         leave: false,
     }];
     let scene = scene(objects);
-    let parameters = Parameters::new(&scene, 2.0, &Options::default()).unwrap();
-    let mut world = new_world(&parameters);
-    let velocity = unit(std::f64::consts::FRAC_PI_2 - angle) * 0.2;
+    let parameters = Parameters::new(&scene, 2.0, &Options::rapier()).unwrap();
+    let mut world = new_world(&parameters, solver());
+    let velocity = Point::unit(std::f64::consts::FRAC_PI_2 - angle) * 0.2;
     let body = RigidBodyBuilder::kinematic_velocity_based().linvel(vector(velocity));
     let wall = ColliderBuilder::cuboid(2.0, 0.05)
         .translation(vector(Point::new(0.0, -0.05)))
@@ -94,7 +102,7 @@ fn a_lone_robot_follows_its_equations() {
         let scene = scene(Vec::new());
         let options = Options {
             time_step,
-            ..Options::default()
+            ..Options::rapier()
         };
         let parameters = Parameters::new(&scene, 2.0, &options).unwrap();
         let physics = parameters.physics;
@@ -105,7 +113,7 @@ fn a_lone_robot_follows_its_equations() {
                 0.0040 * c - 0.0009 * libm::sin(2.3 * t),
             ]
         };
-        let mut world = new_world(&parameters);
+        let mut world = new_world(&parameters, solver());
         let mut robot = RobotBody::insert(
             &mut world,
             &parameters,

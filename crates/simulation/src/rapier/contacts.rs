@@ -1,24 +1,10 @@
 //! Who touches whom.
 
-use crate::engine::{point, vector};
-use crate::tag::{self, Part};
+use super::settings::{point, vector};
+use super::tag;
+use crate::{Contact, Part};
 use pairtrawl_geometry::Point;
 use rapier2d_f64::prelude::PhysicsWorld;
-
-/// Two parts that touch.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Contact {
-    /// The part that comes first in the order of [`Part`].
-    pub first: Part,
-    /// The other.
-    pub second: Part,
-    /// Where they touch deepest, m.
-    pub place: Point,
-    /// How deep they overlap there, m.
-    pub depth: f64,
-    /// Sum of the normal impulses of the last solver iteration, N s: more than zero when they push.
-    pub impulse: f64,
-}
 
 /// Every touch after the last step, in no particular but reproducible order; links of the net among themselves left out.
 pub(crate) fn touching(world: &PhysicsWorld) -> Vec<Contact> {

@@ -5,9 +5,10 @@
 //! wheels push with torque / r along the heading at +-half_track, and a lateral bristle at the axle holds the no-slip
 //! condition as long as the tires can: longitudinal and lateral force together stay within mu m g.
 
-use crate::engine::{pose_of, unit, vector, velocity_at, world_point};
-use crate::ground_friction::Bristle;
-use crate::{Parameters, RobotDrive, RobotLoad, RobotState, servo};
+use super::ground_friction::Bristle;
+use super::servo;
+use super::settings::{pose_of, vector, velocity_at, world_point};
+use crate::{Parameters, RobotDrive, RobotLoad, RobotState};
 use pairtrawl_geometry::{Point, Pose};
 use pairtrawl_model::BodyCircle;
 use rapier2d_f64::prelude::{
@@ -119,9 +120,9 @@ impl RobotBody {
         let middle = self.heading - 0.5 * self.state.turn_rate * parameters.time_step;
         let body = &mut world.bodies[self.handle];
         let axle = world_point(body, Point::ZERO);
-        let slip = velocity_at(body, axle).dot(unit(middle).perp());
+        let slip = velocity_at(body, axle).dot(Point::unit(middle).perp());
         let across = self.lateral.force_along(&mut self.deflection, slip, room);
-        let forward = unit(self.heading);
+        let forward = Point::unit(self.heading);
         self.applied = forward * along + forward.perp() * across;
         body.reset_forces(false);
         body.reset_torques(false);
@@ -137,21 +138,21 @@ impl RobotBody {
         let pose = pose_of(body);
         self.heading += pairtrawl_geometry::wrap_angle(pose.heading - self.heading);
         let velocity = velocity_at(body, pose.position());
-        let forward = unit(self.heading);
+        let forward = Point::unit(self.heading);
         self.state = RobotState {
             pose: Pose::at(pose.position(), self.heading),
             forward: velocity.dot(forward),
             sideways: velocity.dot(forward.perp()),
             turn_rate: body.angvel(),
         };
-        let momentum = crate::engine::point(body.linvel()) * parameters.physics.robot_mass;
+        let momentum = super::settings::point(body.linvel()) * parameters.physics.robot_mass;
         self.last.load = (momentum - self.momentum) / parameters.time_step - self.applied;
         self.momentum = momentum;
     }
 
     /// Where the net is tied.
     pub(crate) fn hitch(&self, parameters: &Parameters) -> Point {
-        self.state.pose.position() - unit(self.state.pose.heading) * parameters.robot.hitch
+        self.state.pose.position() - Point::unit(self.state.pose.heading) * parameters.robot.hitch
     }
 
     /// Kinetic energy and energy of the tires, J.

@@ -1,9 +1,10 @@
 //! The net: a chain of rigid links with vertical hinges, tied to both robots.
 
-use crate::engine::{vector, velocity_at, world_point};
-use crate::ground_friction::Bristle;
-use crate::robots::ROBOTS;
-use crate::{Parameters, tag};
+use super::ground_friction::Bristle;
+use super::robots::ROBOTS;
+use super::settings::{vector, velocity_at, world_point};
+use super::tag;
+use crate::Parameters;
 use pairtrawl_geometry::{Point, Pose};
 use rapier2d_f64::prelude::{
     ColliderBuilder, Group, InteractionGroups, InteractionTestMode, MassProperties, MotorModel,
@@ -125,7 +126,7 @@ impl Net {
             let share = |node: usize| if node == 0 || node == last { 1.0 } else { 0.5 };
             let (at_head, at_tail) = (self.forces[i] * share(i), self.forces[i + 1] * share(i + 1));
             let link = &mut world.bodies[*handle];
-            let arm = world_point(link, tail) - crate::engine::point(link.translation());
+            let arm = world_point(link, tail) - super::settings::point(link.translation());
             link.reset_forces(false);
             link.reset_torques(false);
             link.add_force(vector(at_head + at_tail), false);
@@ -173,7 +174,7 @@ impl Net {
     pub(crate) fn link_poses(&self, world: &PhysicsWorld) -> Vec<Pose> {
         self.links
             .iter()
-            .map(|&h| crate::engine::pose_of(&world.bodies[h]))
+            .map(|&h| super::settings::pose_of(&world.bodies[h]))
             .collect()
     }
 

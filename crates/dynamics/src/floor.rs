@@ -1,0 +1,101 @@
+//! Friction of an object on the floor: four support points, each with a quarter of the weight.
+
+use crate::body::Body;
+use crate::envelope::Envelope;
+use crate::friction::{self, Drag};
+use pairtrawl_geometry::Point;
+
+/// Support points of an object and their part in the system of a step.
+#[derive(Clone, Debug)]
+pub(crate) struct Supports {
+    /// In the body frame.
+    places: [Point; 4],
+    /// mu m g / 4, N.
+    limit: f64,
+    arms: [Point; 4],
+    drags: [Drag; 4],
+}
+
+impl Supports {
+    /// At (+-x, +-y) of `corner`, with friction `limit` (N) together.
+    pub(crate) fn new(corner: Point, limit: f64) -> Self {
+        Self {
+            places: [
+                corner,
+                Point::new(-corner.x, corner.y),
+                -corner,
+                Point::new(corner.x, -corner.y),
+            ],
+            limit: 0.25 * limit,
+            arms: [Point::ZERO; 4],
+            drags: [Drag::default(); 4],
+        }
+    }
+
+    /// At the beginning of a step.
+    pub(crate) fn begin(&mut self, axis: Point) {
+        self.arms = self.places.map(|p| axis * p.x + axis.perp() * p.y);
+    }
+
+    /// Adds minus the floor's impulses at the velocities `u` to the gradient.
+    pub(crate) fn evaluate(
+        &mut self,
+        dt: f64,
+        first: bool,
+        offset: usize,
+        u: &[f64],
+        gradient: &mut [f64],
+    ) {
+        let velocity = Point::new(u[offset], u[offset + 1]);
+        let spin = u[offset + 2];
+        let (mut force, mut torque) = (Point::ZERO, 0.0);
+        for (arm, drag) in self.arms.iter().zip(&mut self.drags) {
+            let held = first && drag.holds;
+            *drag = friction::drag(self.limit, velocity + arm.perp() * spin, held);
+            force += drag.force;
+            torque += arm.cross(drag.force);
+        }
+        gradient[offset] -= dt * force.x;
+        gradient[offset + 1] -= dt * force.y;
+        gradient[offset + 2] -= dt * torque;
+    }
+
+    /// Adds the derivative of [`Self::evaluate`]'s terms.
+    pub(crate) fn add_stiffness(&self, dt: f64, offset: usize, matrix: &mut Envelope) {
+        let mut sum = [0.0; 6];
+        for (arm, drag) in self.arms.iter().zip(&self.drags) {
+            let (t, n) = (drag.direction, drag.direction.perp());
+            for (direction, weight) in [(t, drag.along), (n, drag.across)] {
+                let turn = arm.cross(direction);
+                let scaled = direction * weight;
+                sum[0] += scaled.x * direction.x;
+                sum[1] += scaled.y * direction.x;
+                sum[2] += scaled.y * direction.y;
+                sum[3] += scaled.x * turn;
+                sum[4] += scaled.y * turn;
+                sum[5] += weight * turn * turn;
+            }
+        }
+        let o = offset;
+        for (value, (i, j)) in sum
+            .into_iter()
+            .zip([(0, 0), (1, 0), (1, 1), (2, 0), (2, 1), (2, 2)])
+        {
+            matrix.add(o + i, o + j, dt * value);
+        }
+    }
+}
+
+/// Where the support points of a body of this kind stand: the corners of a box, or, for a disc, at the distance that gives the
+/// moment of an even pressure (two thirds of the radius).
+pub(crate) fn support_corner(half: Option<Point>, radius: f64) -> Point {
+    half.unwrap_or_else(|| {
+        let s = radius * 2.0 / 3.0 * std::f64::consts::FRAC_1_SQRT_2;
+        Point::new(s, s)
+    })
+}
+
+/// The axis of a body's frame.
+pub(crate) fn axis(body: &Body) -> Point {
+    Point::unit(body.heading)
+}

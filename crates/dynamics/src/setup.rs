@@ -1,0 +1,83 @@
+//! What a world is made of, and how much work it was.
+
+use crate::chain::NetParameters;
+use crate::obstacle::Obstacle;
+use crate::wheels::WheelParameters;
+use pairtrawl_geometry::{Point, Pose};
+
+/// A robot: a body on two wheels.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct RobotParameters {
+    /// kg.
+    pub mass: f64,
+    /// About the center of mass, kg m^2.
+    pub inertia: f64,
+    /// Its wheels.
+    pub wheels: WheelParameters,
+    /// The net is tied this far behind the axle, m.
+    pub hitch: f64,
+}
+
+/// A footprint.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum Footprint {
+    /// Half width and half depth, m.
+    Box(Point),
+    /// Radius, m.
+    Disc(f64),
+}
+
+/// A body that lies on the floor.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct ObjectParameters {
+    /// Its center at the start, m.
+    pub place: Point,
+    /// Its outline.
+    pub footprint: Footprint,
+    /// kg.
+    pub mass: f64,
+    /// Friction on the floor: mu m g, N.
+    pub floor_limit: f64,
+}
+
+/// All that a world is made of.
+#[derive(Clone, Debug)]
+pub struct Setup {
+    /// Both robots are alike.
+    pub robot: RobotParameters,
+    /// What a robot touches with: centers from the axle (x forward, m) and shapes, in the robot's frame.
+    pub robot_outline: Vec<(Point, Footprint)>,
+    /// So many links at each end, one at least, do not touch the robot that holds them.
+    pub links_within_robot: usize,
+    /// Axle centers and headings of the (left, right) robot.
+    pub poses: [Pose; 2],
+    /// The net.
+    pub net: NetParameters,
+    /// Left hitch, hinges, right hitch.
+    pub nodes: Vec<Point>,
+    /// Objects.
+    pub objects: Vec<ObjectParameters>,
+    /// Obstacles.
+    pub obstacles: Vec<Obstacle>,
+    /// Coulomb's coefficient between things that touch.
+    pub contact_friction: f64,
+}
+
+/// How much work the steps were.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub struct Work {
+    /// Steps, those that were divided counted by their parts.
+    pub steps: u64,
+    /// Linear systems solved.
+    pub systems: u64,
+    /// Sum over the steps of the unknowns.
+    pub unknowns: u64,
+    /// Sum over the steps of the stored entries of the matrix.
+    pub entries: u64,
+    /// Sum over the steps of the contacts.
+    pub contacts: u64,
+    /// Steps that ended above the tolerance.
+    pub unconverged: u64,
+    /// Searches for neighbors.
+    pub searches: u64,
+}

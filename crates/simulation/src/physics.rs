@@ -1,0 +1,35 @@
+use crate::{Contact, RobotDrive, RobotLoad, RobotState};
+use pairtrawl_geometry::{Point, Pose};
+
+/// An engine with everything of a scene in it. All quantities are in units of the machine, all lists in the order of the scene.
+pub(crate) trait Physics {
+    /// Advances by the time step with this drive of the (left, right) robot.
+    fn step(&mut self, drives: &[RobotDrive; 2]);
+
+    /// Poses and velocities of the (left, right) robot.
+    fn robots(&self) -> [RobotState; 2];
+
+    /// What acted on the (left, right) robot in the last step.
+    fn loads(&self) -> [RobotLoad; 2];
+
+    /// The net: left hitch, hinges, right hitch.
+    fn net(&self) -> Vec<Point>;
+
+    /// Centers and turns of the links.
+    fn links(&self) -> Vec<Pose>;
+
+    /// Centers and turns of the objects.
+    fn objects(&self) -> Vec<Pose>;
+
+    /// How many objects take part in the physics at the moment.
+    fn awake_objects(&self) -> usize;
+
+    /// Everything that touches; links among themselves left out.
+    fn contacts(&self) -> Vec<Contact>;
+
+    /// Greatest gap in a hinge, or greatest wrong length of a link.
+    fn joint_gap(&self) -> f64;
+
+    /// Kinetic and elastic energy.
+    fn energy(&self) -> f64;
+}
