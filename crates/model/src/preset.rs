@@ -1,4 +1,4 @@
-use crate::{Body, BodyCircle, PhysicsParameters, Robot, RobotSize};
+use crate::{Body, BodyCircle, PhysicsParameters, Robot};
 use pairtrawl_geometry::Point;
 
 /// A machine that is known by its name: what a scene does not say of it.
@@ -44,7 +44,7 @@ impl Preset {
         }
     }
 
-    /// Its masses, torques and frictions, and a net of the right size for it.
+    /// Its masses, torques and frictions. Both tow the paper's net.
     pub fn physics(self) -> PhysicsParameters {
         match self {
             Self::WafflePi => PhysicsParameters::default(),
@@ -54,7 +54,7 @@ impl Preset {
                 center_of_mass: 0.0,
                 wheel_radius: 0.033,
                 max_torque: 1.5,
-                ..RobotSize::of(&self.robot()).physics()
+                ..PhysicsParameters::default()
             },
         }
     }

@@ -2,7 +2,10 @@
 
 use pairtrawl::files::{LoadedScene, parse_scene, read_scene};
 use pairtrawl::generate::{Kind, generate, scene_toml};
-use pairtrawl::model::{PairTrajectory, Plan, RehearsalFrame, Units};
+use pairtrawl::geometry::Point;
+use pairtrawl::model::{
+    Body, BodyCircle, PairTrajectory, Plan, Preset, RehearsalFrame, Robot, Units,
+};
 use pairtrawl::{PlanOptions, RehearsalMode, plan};
 
 /// What lengths are multiplied by; from robots of 5 mm to robots of half a kilometer.
@@ -187,4 +190,23 @@ fn rehearsals_scale() {
             assert!((ratio - 1.0).abs() < 0.01, "{name}: {ratio}");
         }
     }
+}
+
+#[test]
+fn scenes_of_robots_with_bodies_scale() {
+    for robot in [Preset::WafflePi.robot(), boat()] {
+        let mut loaded = scene("witness-9");
+        loaded.scene.robot = robot;
+        scales(&loaded, &one_start());
+    }
+}
+
+/// Two circles behind each other.
+fn boat() -> Robot {
+    let circle = |x: f64, radius: f64| BodyCircle {
+        center: Point::new(x, 0.0),
+        radius,
+    };
+    let body = Body::of(&[circle(0.06, 0.14), circle(-0.08, 0.15)]);
+    Robot::default().with_body(body.expect("two circles"))
 }
