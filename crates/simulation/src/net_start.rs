@@ -6,10 +6,9 @@
 //! up and down like an accordion, k links each way, with the slope for which it spans the gap.
 
 use crate::obstacles::FixedShape;
-use crate::region::distance_to_segment;
 use crate::{Base, Parameters, SimulationError};
 use pairtrawl_dynamics::Obstacle;
-use pairtrawl_geometry::{Point, Pose};
+use pairtrawl_geometry::{Point, Pose, Segment};
 use pairtrawl_model::{BodyCircle, Footprint, Scene, Side, Warning};
 use std::f64::consts::FRAC_PI_2;
 
@@ -272,7 +271,7 @@ impl Surroundings {
                 Side::Left => index < within,
                 Side::Right => index + within > last,
             };
-            tied || distance_to_segment(self.hitches[side.index()], ends[0], ends[1]) < 1e-9
+            tied || Segment::new(ends[0], ends[1]).distance(self.hitches[side.index()]) < 1e-9
         };
         let is_part = |i: usize, side: Side| {
             i.checked_sub(robots)

@@ -1,6 +1,6 @@
 //! The region that the net holds: bounded by the net and the line between the hitches.
 
-use pairtrawl_geometry::Point;
+use pairtrawl_geometry::{Point, Segment};
 
 /// True when the net (from hitch to hitch) and the hitch line enclose a point: the winding number is not zero.
 pub fn encloses(net: &[Point], place: Point) -> bool {
@@ -23,20 +23,8 @@ pub fn distance_outside(net: &[Point], place: Point) -> f64 {
         return 0.0;
     }
     (0..net.len())
-        .map(|i| distance_to_segment(place, net[i], net[(i + 1) % net.len()]))
+        .map(|i| Segment::new(net[i], net[(i + 1) % net.len()]).distance(place))
         .fold(f64::INFINITY, f64::min)
-}
-
-/// Distance of a point from a segment, m.
-pub(crate) fn distance_to_segment(p: Point, a: Point, b: Point) -> f64 {
-    let along = b - a;
-    let squared = along.norm_squared();
-    let t = if squared > 0.0 {
-        ((p - a).dot(along) / squared).clamp(0.0, 1.0)
-    } else {
-        0.0
-    };
-    (p - a.lerp(b, t)).norm()
 }
 
 #[cfg(test)]

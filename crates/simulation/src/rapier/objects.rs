@@ -5,8 +5,7 @@ use super::ground_friction::Bristle;
 use super::settings::{pose_of, vector, velocity_at, world_point};
 use super::tag;
 use crate::Parameters;
-use crate::region::distance_to_segment;
-use pairtrawl_geometry::{Point, Pose};
+use pairtrawl_geometry::{Point, Pose, Segment};
 use pairtrawl_model::{Footprint, Object};
 use rapier2d_f64::prelude::{
     ColliderBuilder, MassProperties, PhysicsWorld, RigidBodyBuilder, RigidBodyHandle,
@@ -68,7 +67,7 @@ impl Objects {
         let near = |a: Point, reach: f64| {
             segments
                 .windows(2)
-                .any(|s| distance_to_segment(a, s[0], s[1]) < reach)
+                .any(|s| Segment::new(s[0], s[1]).distance(a) < reach)
                 || discs
                     .iter()
                     .any(|&(center, radius)| (a - center).norm() < reach + radius)
