@@ -3,6 +3,8 @@
 mod check;
 mod completions;
 mod demo;
+#[cfg(feature = "rapier")]
+mod engine;
 mod export;
 mod generate;
 mod length;

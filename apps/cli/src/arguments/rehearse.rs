@@ -1,3 +1,5 @@
+#[cfg(feature = "rapier")]
+use super::engine::EngineArgument;
 use clap::{Args, ValueHint};
 use std::path::PathBuf;
 
@@ -24,4 +26,9 @@ pub struct RehearseArguments {
     /// Larger time steps: faster, good enough for runs without snags
     #[arg(long)]
     pub quick: bool,
+
+    /// What computes the motion
+    #[cfg(feature = "rapier")]
+    #[arg(long, value_enum, default_value_t, value_name = "ENGINE")]
+    pub engine: EngineArgument,
 }

@@ -1,3 +1,5 @@
+#[cfg(feature = "rapier")]
+use super::engine::EngineArgument;
 use super::values::{parse_not_negative, parse_positive, parse_range};
 use clap::{Args, ValueEnum, ValueHint};
 use std::path::PathBuf;
@@ -69,9 +71,14 @@ pub struct RunArguments {
     #[arg(long)]
     pub unproven: bool,
 
-    /// Larger time steps: faster
+    /// Larger time steps; they are never longer than a tick of the controllers (2 ms)
     #[arg(long)]
     pub quick: bool,
+
+    /// What computes the motion
+    #[cfg(feature = "rapier")]
+    #[arg(long, value_enum, default_value_t, value_name = "ENGINE")]
+    pub engine: EngineArgument,
 
     /// Where to write, created when missing
     #[arg(short, long, value_name = "DIR", default_value = "out/run", value_hint = ValueHint::DirPath)]

@@ -10,6 +10,7 @@ use crate::results::{Results, in_folder};
 use pairtrawl::files::{LoadedScene, read_plan};
 use pairtrawl::model::numbers::{duration, length, place, quantity};
 use pairtrawl::model::{Rehearsal, RehearsalRecord};
+#[cfg(not(feature = "rapier"))]
 use pairtrawl::simulation::Options;
 use schemars::JsonSchema;
 use serde::Serialize;
@@ -69,11 +70,14 @@ fn rehearse_in(
     results: Option<&Results<'_>>,
 ) -> Result<Done, Failure> {
     let file = read_plan(&arguments.plan)?;
+    #[cfg(not(feature = "rapier"))]
     let options = if arguments.quick {
         Options::quick()
     } else {
         Options::default()
     };
+    #[cfg(feature = "rapier")]
+    let options = arguments.engine.options(arguments.quick);
     let progress = Progress::saying("rehearsing in physics");
     let rehearsed = pairtrawl::rehearse(&loaded.scene, &loaded.reference, &file, &options);
     progress.finish();

@@ -129,6 +129,10 @@ fn options(arguments: &RunArguments) -> ExecutionOptions {
     if arguments.quick {
         options.physics = pairtrawl::simulation::Options::quick();
     }
+    #[cfg(feature = "rapier")]
+    {
+        options.physics = arguments.engine.options(arguments.quick);
+    }
     options
 }
 
