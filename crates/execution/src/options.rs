@@ -47,7 +47,7 @@ pub struct ExecutionOptions {
     pub nominal_inertia: NominalInertia,
     /// When the pair stops; the tension limit is the scene's.
     pub supervisor: SupervisorLimits<f64>,
-    /// Physics: time step and frames.
+    /// Physics: time step (a whole part of the torque loop's period of 2 ms; longer ones are shortened to it) and frames.
     pub physics: pairtrawl_simulation::Options,
     /// Time between two control samples that are kept, s.
     pub sample_interval: f64,
@@ -131,8 +131,9 @@ impl ExecutionOptions {
             0.01,
             "at least 0.01 s",
         )?;
+        // A step that is longer than a tick is shortened to it (`Options::for_control`).
         let ticks = TORQUE_PERIOD / self.physics.time_step;
-        if (ticks - ticks.round()).abs() > 1e-9 || ticks < 0.5 {
+        if ticks < 0.0 || (ticks > 1.0 && (ticks - ticks.round()).abs() > 1e-9) {
             let bound = "a whole part of the torque loop's period of 0.002 s";
             return Err(ExecutionError::Option {
                 name: "physics.time_step",
