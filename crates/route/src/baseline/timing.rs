@@ -73,42 +73,51 @@ pub(crate) fn sample(tracks: &Tracks, scene: &Scene, count: usize) -> PairTrajec
         left.push(tracks.left[segment].lerp(tracks.left[segment + 1], t));
         right.push(tracks.right[segment].lerp(tracks.right[segment + 1], t));
     }
-    let normal: Vec<Point> = left
-        .iter()
-        .zip(&right)
-        .map(|(l, r)| -(*l - *r).perp() / (*l - *r).norm().max(1e-9))
-        .collect();
     let standing = scene.planner.max_step / STANDING;
+    let abreast = abreast(&left, &right, scene.start.left.heading);
+    let poses = |points: &[Point], start: Pose, end: Pose| {
+        with_headings(points, &abreast, scene.planner.max_skew, standing, start, end)
+    };
     PairTrajectory {
-        left: with_headings(&left, &normal, standing, scene.start.left, scene.end.left),
-        right: with_headings(
-            &right,
-            &normal,
-            standing,
-            scene.start.right,
-            scene.end.right,
-        ),
+        left: poses(&left, scene.start.left, scene.end.left),
+        right: poses(&right, scene.start.right, scene.end.right),
         step_time: default_step_time(&scene.robot, &scene.planner),
     }
 }
 
-/// Headings along the chords, continuous; the scene's own poses at both ends.
+/// The heading of robots that drive abreast, at every instant; continuous from near `first` on.
+fn abreast(left: &[Point], right: &[Point], first: f64) -> Vec<f64> {
+    let mut heading = first;
+    (left.iter().zip(right))
+        .map(|(l, r)| {
+            heading = near_angle((-(*l - *r).perp()).angle(), heading);
+            heading
+        })
+        .collect()
+}
+
+/// Headings along the chords, within `max_skew` of those that are abreast, so that neither robot turns round more often
+/// than the pair; the scene's own poses at both ends.
 fn with_headings(
     points: &[Point],
-    normal: &[Point],
+    abreast: &[f64],
+    max_skew: f64,
     standing: f64,
     start: Pose,
     end: Pose,
 ) -> Vec<Pose> {
     let n = points.len();
     let mut poses = Vec::with_capacity(n);
-    poses.push(start);
-    let mut heading = start.heading;
+    let first = near_angle(start.heading, abreast[0]);
+    poses.push(Pose::at(start.position(), first));
     for i in 1..n - 1 {
-        let direction = (points[i + 1] - points[i - 1]) * 0.5 + normal[i] * standing;
-        heading = near_angle(direction.angle(), heading);
+        let along = Point::unit(abreast[i]) * standing;
+        let direction = (points[i + 1] - points[i - 1]) * 0.5 + along;
+        let skew = near_angle(direction.angle(), abreast[i]) - abreast[i];
+        let heading = abreast[i] + skew.clamp(-max_skew, max_skew);
         poses.push(Pose::at(points[i], heading));
     }
-    poses.push(Pose::at(end.position(), near_angle(end.heading, heading)));
+    let last = near_angle(end.heading, abreast[n - 1]);
+    poses.push(Pose::at(end.position(), last));
     poses
 }

@@ -3,7 +3,7 @@
 //! minimize  1/2 int (alpha |p'|^2 + beta |p''|^2) ds + stiff springs to the circles' centers and away from obstacles,
 //! with both end poses fixed. Springs are refreshed and one linear system is solved per iteration.
 
-use super::attachment::Attachment;
+use super::attachment::{Attachment, attach};
 use super::itinerary::Itinerary;
 use crate::banded::Pentadiagonal;
 use crate::polyline::{refine, resample, tangents, with_headings};
@@ -47,18 +47,89 @@ const ITERATIONS: usize = 80;
 const LONG_BEND: f64 = 0.8;
 const BEND_STIFFNESS: f64 = 15.0;
 
-/// A smooth centerline along `raw`, resampled evenly.
+/// How far beside a stop a smooth line may pass it, in comfortable turning radii. Where it would pass farther off, it stays as it was searched ...
+const LOST: f64 = 1.0;
+/// ... over this length to both sides of the stop, in comfortable turning radii.
+const KEPT: f64 = 3.0;
+/// Stretches between kept ones that are shorter than this are kept too.
+const LEAST_STRETCH: usize = 12;
+/// Times that more is kept, at most.
+const ROUNDS: usize = 4;
+
+/// A smooth centerline along `raw`, resampled evenly. It loses no stop that `raw` passes: a band pulls tight, and a loop
+/// with a stop on it would vanish.
 pub(crate) fn smooth(terrain: &Terrain, itinerary: &Itinerary, raw: &[Pose]) -> Vec<Pose> {
-    let mut band = Band::new(terrain, itinerary, raw);
-    for _ in 0..ITERATIONS {
-        // Evenly spread in every round: vertices that crowd in a bend would hide its curvature.
-        band.spread();
-        band.relax();
+    let searched: Vec<Point> = raw.iter().map(|p| p.position()).collect();
+    let searched = resample(&searched, SPACING);
+    let held = attach(&searched, &itinerary.goals);
+    let lost_beyond = LOST * terrain.pair.turning;
+    let reach = (KEPT * terrain.pair.turning / SPACING) as usize;
+    let mut kept = vec![false; searched.len()];
+    let mut points = Vec::new();
+    for _ in 0..ROUNDS {
+        points = relaxed(terrain, itinerary, &searched, &held, &kept);
+        let passed = attach(&points, &itinerary.goals);
+        let mut lost = false;
+        for ((goal, &at), &now) in itinerary.goals.iter().zip(&held).zip(&passed) {
+            let off = points[now].distance(*goal);
+            if off > lost_beyond && off > searched[at].distance(*goal) + GOAL_REST && !kept[at] {
+                lost = true;
+                kept[at.saturating_sub(reach)..(at + reach + 1).min(searched.len())].fill(true);
+            }
+        }
+        if !lost {
+            break;
+        }
     }
-    band.spread();
-    let fine = refine(&band.points, 4);
+    let fine = refine(&points, 4);
     let points = resample(&fine, RESULT_SPACING);
     with_headings(&points, itinerary.start.heading, itinerary.end.heading)
+}
+
+/// The searched line with everything smoothed but the kept vertices; `held` is the vertex that passes each goal.
+fn relaxed(
+    terrain: &Terrain,
+    itinerary: &Itinerary,
+    searched: &[Point],
+    held: &[usize],
+    kept: &[bool],
+) -> Vec<Point> {
+    let last = searched.len() - 1;
+    let directions = tangents(searched);
+    let pose = |i: usize| match i {
+        0 => itinerary.start,
+        i if i == last => itinerary.end,
+        i => Pose::at(searched[i], directions[i].angle()),
+    };
+    let mut points = vec![searched[0]];
+    let mut from = 0;
+    while from < last {
+        let to = (from + 1..last).find(|&i| kept[i] != kept[from + 1]);
+        let to = to.unwrap_or(last);
+        if kept[from + 1] || to - from < LEAST_STRETCH {
+            points.extend_from_slice(&searched[from + 1..=to]);
+        } else {
+            let here = held.iter().zip(&itinerary.goals);
+            let part = Itinerary {
+                start: pose(from),
+                goals: here
+                    .filter(|(at, _)| (from..=to).contains(*at))
+                    .map(|(_, &goal)| goal)
+                    .collect(),
+                end: pose(to),
+            };
+            let mut band = Band::new(terrain, &part, &searched[from..=to]);
+            for _ in 0..ITERATIONS {
+                // Evenly spread in every round: vertices that crowd in a bend would hide its curvature.
+                band.spread();
+                band.relax();
+            }
+            band.spread();
+            points.extend_from_slice(&band.points[1..]);
+        }
+        from = to;
+    }
+    points
 }
 
 struct Band<'a> {
@@ -74,12 +145,11 @@ struct Band<'a> {
 }
 
 impl<'a> Band<'a> {
-    fn new(terrain: &'a Terrain, itinerary: &'a Itinerary, raw: &[Pose]) -> Self {
-        let points: Vec<Point> = raw.iter().map(|p| p.position()).collect();
+    fn new(terrain: &'a Terrain, itinerary: &'a Itinerary, searched: &[Point]) -> Self {
         Self {
             terrain,
             itinerary,
-            points,
+            points: searched.to_vec(),
             stiffness: Vec::new(),
             hold: Attachment::new(&itinerary.goals),
             goals: vec![1.0; itinerary.goals.len()],
