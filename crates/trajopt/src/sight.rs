@@ -5,12 +5,15 @@ use crate::pieces::PieceIndex;
 use crate::problem::Problem;
 use crate::tier::Tier;
 use pairtrawl_geometry::Point;
+use pairtrawl_model::Side;
 
 /// Objects and obstacles are in play up to this far beyond the distance that is kept from them, in units of the length
 /// scale.
 pub(crate) const LOOK_AHEAD: f64 = 0.2;
 /// Rows of the claim itself are in play up to this far.
 const CLAIM_AHEAD: f64 = 0.15;
+/// A robot that is astray of an object may drive over it this far before and behind the place where the line passes over it.
+const ASTRAY: f64 = 2.0;
 /// At most this many obstacle pieces a robot or line at a waypoint: the nearest ones.
 const MOST_PIECES: usize = 6;
 
@@ -20,6 +23,8 @@ pub(crate) struct Sight<'a> {
     pub x: &'a Iterate,
     /// Waypoints at which the line between the robots passes over an object, ascending, and the object.
     crossings: Vec<(usize, u32)>,
+    /// Robots that have an object on their outer side where the line passes over its abscissa: robot, object, waypoint.
+    astray: Vec<(Side, u32, usize)>,
     candidates: Vec<u32>,
     /// Values of margins and what they are about.
     near: Vec<(f64, u32)>,
@@ -31,9 +36,20 @@ impl<'a> Sight<'a> {
         let wanted = |(_, object): &(usize, u32)| problem.wanted[*object as usize];
         let mut crossings: Vec<_> = crossings.iter().copied().zip(0..).filter(wanted).collect();
         crossings.sort_unstable();
+        let astray = crossings.iter().flat_map(|&(stage, object)| {
+            let (center, _) = problem.objects[object as usize];
+            let (l, r) = (x.position(stage, Side::Left), x.position(stage, Side::Right));
+            let is_astray = move |robot: &Side| {
+                let out = (l - r) * robot.sign();
+                out.dot(x.position(stage, *robot) - center) < 0.0
+            };
+            let robots = Side::BOTH.into_iter().filter(is_astray);
+            robots.map(move |robot| (robot, object, stage))
+        });
         Self {
             problem,
             x,
+            astray: astray.collect(),
             crossings,
             candidates: Vec::new(),
             near: Vec::new(),
@@ -43,6 +59,14 @@ impl<'a> Sight<'a> {
     /// True unless it is one of the fixed ends.
     pub fn is_inner(&self, stage: usize) -> bool {
         stage > 0 && stage + 1 < self.x.stages.len()
+    }
+
+    /// True when a robot must get past an object to have it on its inner side: what keeps it off the object would keep it
+    /// astray.
+    pub fn must_pass(&self, robot: Side, stage: usize, object: u32) -> bool {
+        let window = (ASTRAY / self.problem.planner.max_step) as usize;
+        (self.astray.iter())
+            .any(|&(r, o, at)| r == robot && o == object && at.abs_diff(stage) <= window)
     }
 
     /// The objects to be gathered that the line passes over at a waypoint.

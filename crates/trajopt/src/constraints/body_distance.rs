@@ -40,7 +40,8 @@ fn key(circle: u8, thing: u32) -> u32 {
 impl Rule<PoseAt, POSE> for BodyOffObject {
     fn look_up(sight: &mut Sight, at: PoseAt, add: &mut impl FnMut(Self)) {
         for (circle, p, radius) in circles(sight, at) {
-            OffObject::near(sight.problem, p, radius, |off| add(Self { circle, off }));
+            let here = (at.stage(), at.robot());
+            OffObject::near(sight, here, p, radius, |off| add(Self { circle, off }));
         }
     }
 

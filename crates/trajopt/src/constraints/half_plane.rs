@@ -41,6 +41,9 @@ pub(crate) struct BesideObject {
     pub plane: HalfPlane,
 }
 
+/// What a unit of violation costs, in units of what it costs elsewhere.
+const PRICE: f64 = 10.0;
+
 impl Rule<PointAt, POINT> for BesideObject {
     fn look_up(sight: &mut Sight, at: PointAt, add: &mut impl FnMut(Self)) {
         let (i, x) = (at.stage(), sight.x);
@@ -60,6 +63,11 @@ impl Rule<PointAt, POINT> for BesideObject {
     #[inline]
     fn term(self, _: &Problem, _: PointAt) -> impl Term<POINT> {
         self.plane
+    }
+
+    /// An object left outside saves the way to it and back: that must never be the cheaper thing to do.
+    fn price(self, _: &Problem, elastic: f64) -> f64 {
+        PRICE * elastic
     }
 
     fn key(self) -> u32 {

@@ -6,7 +6,7 @@ use crate::sight::{LOOK_AHEAD, Sight, tiers};
 use crate::term::{Jet, POINT, Term};
 use crate::tier::Tier;
 use pairtrawl_geometry::Point;
-use pairtrawl_model::ClaimId;
+use pairtrawl_model::{ClaimId, Side};
 
 /// A point keeps `keep` from a convex region: signed distance minus `keep`.
 pub struct PointDistance<'a> {
@@ -146,10 +146,20 @@ pub(crate) struct OffObject {
 }
 
 impl OffObject {
-    /// Those in play for a circle of this radius at a point.
-    pub fn near(problem: &Problem, p: Point, radius: f64, mut add: impl FnMut(Self)) {
+    /// Those in play for a circle of this radius that a robot has at a point.
+    pub fn near(
+        sight: &Sight,
+        (stage, robot): (usize, Side),
+        p: Point,
+        radius: f64,
+        mut add: impl FnMut(Self),
+    ) {
+        let problem = sight.problem;
         let margin = problem.reserve.clearance;
         for &object in problem.object_index.near(p) {
+            if sight.must_pass(robot, stage, object) {
+                continue;
+            }
             let (center, footprint) = problem.objects[object as usize];
             let c = p.distance(center) - (footprint + radius) - margin;
             if c < LOOK_AHEAD {
@@ -174,10 +184,9 @@ impl OffObject {
 
 impl Rule<PointAt, POINT> for OffObject {
     fn look_up(sight: &mut Sight, at: PointAt, add: &mut impl FnMut(Self)) {
-        let problem = sight.problem;
         let p = sight.x.position(at.stage(), at.robot());
-        if let Some(radius) = problem.disc {
-            Self::near(problem, p, radius, add);
+        if let Some(radius) = sight.problem.disc {
+            Self::near(sight, (at.stage(), at.robot()), p, radius, add);
         }
     }
 
