@@ -12,8 +12,8 @@ use crate::tighten::Tightening;
 use pairtrawl_certificate::certify;
 use pairtrawl_geometry::Pose;
 use pairtrawl_model::{
-    Certificate, Claim, Overrides, PairTrajectory, Plan, Rehearsal, RehearsalRecord,
-    SceneReference, SolverReport, Warning,
+    Certificate, Claim, ClaimId, Overrides, PairTrajectory, Plan, Rehearsal, RehearsalRecord,
+    Scales, SceneReference, SolverReport, SolverStatus, Warning,
 };
 use pairtrawl_reference::Reference;
 use pairtrawl_route::{RouteError, baseline};
@@ -52,6 +52,9 @@ impl Origin<'_> {
         }
     }
 }
+
+/// A claim that fails by more than this is out of reach, in units of the length scale or rad.
+const HOPELESS: f64 = 0.04;
 
 /// A pair of trajectories with its verdict, in m.
 pub(crate) struct Attempt {
@@ -224,6 +227,17 @@ impl Attempt {
     pub fn worst(&self) -> Option<&Claim> {
         let failing = self.certificate.claims.iter().filter(|claim| !claim.holds);
         failing.min_by(|a, b| a.margin.total_cmp(&b.margin))
+    }
+
+    /// True when a claim fails by far more than what happens between waypoints, and the optimizer sees no way to mend it.
+    pub fn is_hopeless(&self, scales: &Scales) -> bool {
+        let mut failing = self.certificate.claims.iter().filter(|claim| !claim.holds);
+        let by_far = |claim: &Claim| match claim.id {
+            ClaimId::EveryObjectCovered => true,
+            id if id.unit() == "m" => claim.margin < -HOPELESS * scales.length,
+            _ => claim.margin < -HOPELESS,
+        };
+        self.solver.status == SolverStatus::LocallyInfeasible && failing.any(by_far)
     }
 
     /// How many claims fail.

@@ -36,8 +36,10 @@ const VARIATIONS: [Variation; 10] = [
 ];
 /// Baselines are varied of orders that cost at most this many times the least.
 const WORTH_VARYING: f64 = 1.02;
-/// Waypoints of all variations together, at most: it would take longer than everything else.
-const MOST_WAYPOINTS: usize = 30_000;
+/// Waypoints of everything that is optimized to find the best start, at most: what does not fit is not explored.
+const MOST_WAYPOINTS: usize = 20_000;
+/// The objective of a start that was not explored: worse than any optimum, better than none.
+const UNKNOWN: f64 = f64::MAX;
 
 /// Whether the work may go on; asked from several threads.
 type MayGoOn<'a> = &'a (dyn Fn() -> bool + Sync);
@@ -69,16 +71,35 @@ pub(crate) fn explore(
         &prepared.world.pieces,
     );
     let (orders, _) = starts.split_at_mut(explored);
-    let mut ranked: Vec<Explored> = orders
+    let mut left = MOST_WAYPOINTS;
+    let mut fits = |waypoints: usize| {
+        let rest = left.checked_sub(waypoints);
+        left = rest.unwrap_or(left);
+        rest.is_some()
+    };
+    let lines: Vec<(Start, Option<PairTrajectory>)> = orders
         .par_iter()
         .map(|start| {
             let start = start.with_line(prepared);
             let baseline = start.baseline(prepared).ok();
-            let least = (baseline.as_ref()).and_then(|pair| optimum(&problem, pair, may_go_on));
+            (start, baseline)
+        })
+        .collect();
+    let with_room: Vec<bool> = (lines.iter())
+        .map(|(_, baseline)| baseline.as_ref().is_none_or(|pair| fits(pair.len())))
+        .collect();
+    let mut ranked: Vec<Explored> = lines
+        .into_par_iter()
+        .zip(with_room)
+        .map(|((start, baseline), has_room)| {
+            let least = || optimum(&problem, baseline.as_ref()?, may_go_on);
             Explored {
+                objective: match has_room {
+                    true => least().unwrap_or(f64::INFINITY),
+                    false => UNKNOWN,
+                },
                 start,
                 baseline,
-                objective: least.unwrap_or(f64::INFINITY),
             }
         })
         .collect();
@@ -90,18 +111,12 @@ pub(crate) fn explore(
     let Some(least) = ranked.first().map(|order| order.objective) else {
         return starts;
     };
-    let mut left = MOST_WAYPOINTS;
-    let mut within_budget = |pair: &PairTrajectory| {
-        let rest = left.checked_sub(VARIATIONS.len() * pair.len());
-        left = rest.unwrap_or(left);
-        rest.is_some()
-    };
     let varied: Vec<(&Start, &PairTrajectory, Variation)> = ranked
         .iter()
         .filter(|order| order.objective <= WORTH_VARYING * least)
         .filter_map(|order| Some((&order.start, order.baseline.as_ref()?)))
-        .filter(|(_, baseline)| within_budget(baseline))
         .flat_map(|(start, baseline)| VARIATIONS.map(|variation| (start, baseline, variation)))
+        .filter(|(_, baseline, variation)| fits(variation.solves() * baseline.len()))
         .collect();
     let better = varied
         .par_iter()
@@ -121,6 +136,11 @@ pub(crate) fn explore(
 }
 
 impl Variation {
+    /// How often a pair is optimized to find what it leads to.
+    fn solves(self) -> usize {
+        if self.first.is_some() { 3 } else { 1 }
+    }
+
     /// A baseline varied in this way.
     fn of(
         self,

@@ -65,6 +65,7 @@ mod explore;
 pub mod files;
 mod infeasible;
 mod judge;
+mod leave_more;
 mod length;
 mod not_found;
 mod observer;

@@ -5,6 +5,7 @@
 
 use crate::attempt::{Attempt, Course, Origin};
 use crate::error::{NoPlan, PlanError};
+use crate::leave_more::leave_more;
 use crate::not_found::{NotFound, Tried};
 use crate::observer::{Observer, Stage};
 use crate::options::{PlanOptions, RehearsalMode};
@@ -41,13 +42,27 @@ pub fn plan(
     from_nothing(&prepared, reference, run)
 }
 
-/// Plans a prepared scene from its starts.
+/// Plans a prepared scene from its starts; without what is in the way when none leads to a plan.
 pub(crate) fn from_nothing(
     prepared: &Prepared,
     reference: &SceneReference,
     mut run: Run,
 ) -> Result<Planned, PlanError> {
-    let starts = starts(prepared, &mut run)?;
+    match from_starts(prepared, reference, &mut run) {
+        Err(PlanError::NoPlan(refused)) => leave_more(prepared, refused, &mut run, |rest, run| {
+            from_starts(rest, reference, run)
+        }),
+        other => other,
+    }
+}
+
+/// Plans a prepared scene from its starts.
+pub(crate) fn from_starts(
+    prepared: &Prepared,
+    reference: &SceneReference,
+    run: &mut Run,
+) -> Result<Planned, PlanError> {
+    let starts = starts(prepared, run)?;
 
     // The best start comes first; the others are tried only while no certified plan is found.
     let mut refused: Option<Box<NotFound>> = None;
@@ -57,9 +72,7 @@ pub(crate) fn from_nothing(
         let line = run.stage(Stage::Centerline, || start.centerline(prepared))?;
         let found = line
             .map_err(|error| prepared.route_error(error))
-            .and_then(|line| {
-                rehearsed(&course, &Origin::Centerline(&line, start.pair()), &mut run)
-            });
+            .and_then(|line| rehearsed(&course, &Origin::Centerline(&line, start.pair()), run));
         match found {
             Ok((mut attempt, rehearsal)) => {
                 if failed > 0 {
@@ -69,7 +82,7 @@ pub(crate) fn from_nothing(
                 return Ok(Planned {
                     plan,
                     rehearsal,
-                    stages: run.stages,
+                    stages: run.stages.clone(),
                 });
             }
             Err(PlanError::NoPlan(not_found)) => {
@@ -158,6 +171,10 @@ pub(crate) fn certified(
     let mut best = course.attempt(origin, tightening, run)?;
     for _ in 1..prepared.options.rounds {
         if best.worst().is_none() {
+            break;
+        }
+        // Misses that no margin makes up for: another start helps, more rounds do not.
+        if best.is_hopeless(&prepared.scales) {
             break;
         }
         *tightening = tightening.after_claims(&best.certificate, &prepared.scales);

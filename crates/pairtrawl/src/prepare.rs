@@ -90,7 +90,6 @@ impl<'a> Prepared<'a> {
 
     /// The same with more objects left where they are, because no certified plan was found that includes them: no circle
     /// is made of them and nothing demands that they are covered. `text` says for people what was tried.
-    #[expect(dead_code, reason = "the search for a plan is about to use it")]
     pub fn leaving(&self, objects: &[usize], text: &str) -> Prepared<'a> {
         let scene = self.scene.leaving(objects.iter().copied());
         let scaled = self.scales.scene(&scene);

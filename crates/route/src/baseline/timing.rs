@@ -76,7 +76,14 @@ pub(crate) fn sample(tracks: &Tracks, scene: &Scene, count: usize) -> PairTrajec
     let standing = scene.planner.max_step / STANDING;
     let abreast = abreast(&left, &right, scene.start.left.heading);
     let poses = |points: &[Point], start: Pose, end: Pose| {
-        with_headings(points, &abreast, scene.planner.max_skew, standing, start, end)
+        with_headings(
+            points,
+            &abreast,
+            scene.planner.max_skew,
+            standing,
+            start,
+            end,
+        )
     };
     PairTrajectory {
         left: poses(&left, scene.start.left, scene.end.left),

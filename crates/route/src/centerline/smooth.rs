@@ -6,7 +6,7 @@
 use super::attachment::{Attachment, attach};
 use super::itinerary::Itinerary;
 use crate::banded::Pentadiagonal;
-use crate::polyline::{refine, resample, tangents, with_headings};
+use crate::polyline::{arc_lengths, refine, resample, tangents, with_headings};
 use crate::terrain::Terrain;
 use pairtrawl_geometry::{Point, Pose};
 
@@ -60,10 +60,9 @@ const ROUNDS: usize = 4;
 /// with a stop on it would vanish.
 pub(crate) fn smooth(terrain: &Terrain, itinerary: &Itinerary, raw: &[Pose]) -> Vec<Pose> {
     let searched: Vec<Point> = raw.iter().map(|p| p.position()).collect();
-    let searched = resample(&searched, SPACING);
     let held = attach(&searched, &itinerary.goals);
     let lost_beyond = LOST * terrain.pair.turning;
-    let reach = (KEPT * terrain.pair.turning / SPACING) as usize;
+    let (s, reach) = (arc_lengths(&searched), KEPT * terrain.pair.turning);
     let mut kept = vec![false; searched.len()];
     let mut points = Vec::new();
     for _ in 0..ROUNDS {
@@ -74,7 +73,8 @@ pub(crate) fn smooth(terrain: &Terrain, itinerary: &Itinerary, raw: &[Pose]) -> 
             let off = points[now].distance(*goal);
             if off > lost_beyond && off > searched[at].distance(*goal) + GOAL_REST && !kept[at] {
                 lost = true;
-                kept[at.saturating_sub(reach)..(at + reach + 1).min(searched.len())].fill(true);
+                let near = s.iter().map(|along| (along - s[at]).abs() <= reach);
+                (kept.iter_mut().zip(near)).for_each(|(kept, near)| *kept |= near);
             }
         }
         if !lost {

@@ -1,0 +1,100 @@
+//! Objects that no search could include: what is in the way of the best attempt is left, and the rest is planned for.
+
+use crate::error::PlanError;
+use crate::not_found::NotFound;
+use crate::prepare::Prepared;
+use crate::run::Run;
+use pairtrawl_geometry::{Point, Segment, SweptLine};
+use pairtrawl_model::{ClaimId, Leave, PairTrajectory, Scene};
+
+/// Times that more is left, at most.
+const ROUNDS: usize = 6;
+/// An object farther than this from a place where a claim fails has nothing to do with it, in units of the length scale.
+const NEAR: f64 = 2.0;
+
+/// Plans by `plan` for what is left of a scene for which no plan was found. Where the options do not allow to leave anything, the
+/// refusal comes back, and says which objects a plan was found without.
+///
+/// # Errors
+/// [`PlanError`], as without leaving more.
+pub(crate) fn leave_more<T>(
+    prepared: &Prepared,
+    mut refused: Box<NotFound>,
+    run: &mut Run,
+    mut plan: impl FnMut(&Prepared, &mut Run) -> Result<T, PlanError>,
+) -> Result<T, PlanError> {
+    let mut left: Vec<usize> = Vec::new();
+    let mut latest = refused.clone();
+    for _ in 0..ROUNDS {
+        let fewer = prepared.leaving(&left, "");
+        let more = in_the_way(&latest, &fewer.scene, NEAR * prepared.scales.length);
+        left.extend(more.iter().copied());
+        left.sort_unstable();
+        let rest = prepared.leaving(
+            &left,
+            &format!("no plan was found with it: {}", latest.missing),
+        );
+        if more.is_empty() || rest.scene.objects.iter().all(|object| object.leave) {
+            break;
+        }
+        run.note(&format!(
+            "no certified plan; planning again without {} more",
+            more.len()
+        ));
+        run.round += 1;
+        match plan(&rest, run) {
+            Ok(planned) if prepared.options.leave_for(&prepared.scene) == Leave::Unreachable => {
+                return Ok(planned);
+            }
+            Ok(_) => {
+                refused.could_leave = left;
+                break;
+            }
+            Err(PlanError::NoPlan(next)) => latest = next,
+            Err(error) => return Err(error),
+        }
+    }
+    Err(PlanError::NoPlan(refused))
+}
+
+/// The objects that are to be gathered and that an attempt leaves outside, and those nearest to where another claim fails.
+fn in_the_way(refused: &NotFound, scene: &Scene, near: f64) -> Vec<usize> {
+    let mut found: Vec<usize> = Vec::new();
+    let wanted = |index: &usize| !scene.objects[*index].leave;
+    let indices = || (0..scene.objects.len()).filter(wanted);
+    let nearest = |place: Point| {
+        let distance = |&i: &usize| scene.objects[i].position.distance(place);
+        indices()
+            .filter(|i| distance(i) < near)
+            .min_by(|a, b| distance(a).total_cmp(&distance(b)))
+    };
+    if let Some(best) = &refused.best {
+        for claim in best.certificate.claims.iter().filter(|claim| !claim.holds) {
+            if claim.id == ClaimId::EveryObjectCovered {
+                found.extend(
+                    indices().filter(|&i| is_outside(&best.trajectory, scene.objects[i].position)),
+                );
+            } else {
+                found.extend(claim.place.and_then(nearest));
+            }
+        }
+    }
+    if found.is_empty() {
+        found.extend(refused.missing.place().and_then(nearest));
+    }
+    found.sort_unstable();
+    found.dedup();
+    found
+}
+
+/// True when the line between the robots never passes over a point.
+fn is_outside(pair: &PairTrajectory, point: Point) -> bool {
+    (0..pair.len().saturating_sub(1)).all(|i| {
+        let (from, to) = (pair.pair(i), pair.pair(i + 1));
+        let line = SweptLine {
+            left: Segment::new(from.left.position(), to.left.position()),
+            right: Segment::new(from.right.position(), to.right.position()),
+        };
+        line.coverage(point).margin < 0.0
+    })
+}
