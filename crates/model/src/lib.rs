@@ -9,7 +9,9 @@ mod claim_id;
 mod cost;
 mod execution;
 mod failed;
+mod leave;
 mod left_out;
+mod mark;
 pub mod numbers;
 mod parameters;
 mod physics;
@@ -33,8 +35,10 @@ pub use execution::{
     ControlSample, ControllerKind, DragStatistics, Execution, ExecutionEvent, ExecutionEventKind,
     TrackingStatistics, Trial, TrialConditions,
 };
-pub use failed::{FailedSummary, Mark};
-pub use left_out::{Leave, LeftOut, LeftWhy};
+pub use failed::FailedSummary;
+pub use leave::Leave;
+pub use left_out::{LeftOut, LeftWhy};
+pub use mark::Mark;
 pub use parameters::PlannerParameters;
 pub use physics::PhysicsParameters;
 pub use plan::{Circle, Overrides, Plan, Rehearsal, SceneReference, SolverReport, SolverStatus};
