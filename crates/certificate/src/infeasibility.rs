@@ -42,6 +42,7 @@
 //! Bounds of the search (sizes of cells) grow with the robots; tolerances are those of the claims, in m.
 
 mod carried;
+mod cell;
 mod enclosed;
 mod free_space;
 mod joined;

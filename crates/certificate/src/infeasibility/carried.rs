@@ -1,4 +1,4 @@
-use super::free_space::Cell;
+use super::cell::Cell;
 use super::things::Things;
 use pairtrawl_model::BodyCircle;
 

@@ -1,4 +1,5 @@
 use super::carried::{Carried, spread};
+use super::cell::Cell;
 use super::proof::GridEvidence;
 use super::things::Things;
 use pairtrawl_geometry::{Bounds, Point};
@@ -15,17 +16,6 @@ const MOST_CELLS: usize = 2_000_000;
 const FINE: f64 = 0.08;
 /// Distances this close to the radius leave a cell undecided, m: rounding and the tolerance of the claims.
 const CLOSE: f64 = 1e-6;
-
-/// What is known of a cell as a place for a robot's center.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(super) enum Cell {
-    /// No point of the closed cell keeps a robot radius from everything.
-    Blocked,
-    /// Every point does.
-    Free,
-    /// Some may.
-    Mixed,
-}
 
 /// The area, cut into equal cells that fill it exactly, and as many cells around it as the largest circle of a robot may
 /// leave it by.

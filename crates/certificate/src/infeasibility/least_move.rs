@@ -1,5 +1,5 @@
-use super::proof::CAUTION;
 use super::things::Things;
+use crate::limits::CAUTION;
 use pairtrawl_geometry::{Point, Pose};
 use pairtrawl_model::numbers::{enough_length, place};
 use std::f64::consts::TAU;

@@ -1,4 +1,5 @@
-use super::proof::{CAUTION, Proof, ProofKind};
+use super::proof::{Proof, ProofKind};
+use crate::limits::CAUTION;
 use pairtrawl_model::Scene;
 use pairtrawl_model::numbers::{enough_length, length};
 

@@ -1,6 +1,7 @@
 use super::least_move::{advice, least_move};
-use super::proof::{CAUTION, Proof, ProofKind};
+use super::proof::{Proof, ProofKind};
 use super::things::Things;
+use crate::limits::CAUTION;
 use crate::obstacles::Part;
 use pairtrawl_geometry::{Point, Segment};
 use pairtrawl_model::Scene;

@@ -235,6 +235,3 @@ impl ProofKind {
         }
     }
 }
-
-/// What is not yet settled below this much is left open, m: the endpoints' tolerance and the rounding of distances.
-pub(super) const CAUTION: f64 = 1e-5;

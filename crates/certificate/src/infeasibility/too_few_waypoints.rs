@@ -1,4 +1,5 @@
-use super::proof::{CAUTION, Proof, ProofKind};
+use super::proof::{Proof, ProofKind};
+use crate::limits::CAUTION;
 use pairtrawl_model::{Scene, Side, numbers};
 
 /// Looks for a proof that a given number of waypoints cannot do: no robot covers more than `max_step` in a step, so that

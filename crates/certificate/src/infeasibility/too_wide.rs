@@ -1,5 +1,6 @@
-use super::proof::{CAUTION, Proof, ProofKind};
+use super::proof::{Proof, ProofKind};
 use super::things::sure_radius;
+use crate::limits::CAUTION;
 use pairtrawl_model::Scene;
 use pairtrawl_model::numbers::{enough_length, length, place};
 
