@@ -1,7 +1,8 @@
 //! One attempt at a plan: baseline -> optimize -> certify, and what becomes of it.
 
 use crate::check::{Candidate, check};
-use crate::error::{NoPlan, PlanError};
+use crate::error::PlanError;
+use crate::no_plan::NoPlan;
 use crate::observer::Stage;
 use crate::options::{Method, NetLength};
 use crate::prepare::Prepared;

@@ -1,4 +1,5 @@
-use crate::error::{NoPlan, PlanError};
+use crate::error::PlanError;
+use crate::no_plan::NoPlan;
 use crate::observer::Stage;
 use crate::options::{NetLength, PlanOptions};
 use crate::prepare::{Prepared, prepare};

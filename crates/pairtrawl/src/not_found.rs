@@ -1,4 +1,4 @@
-use crate::error::{NoPlan, PlanError};
+use crate::no_plan::NoPlan;
 use pairtrawl_model::{Plan, numbers};
 use std::fmt;
 
@@ -86,11 +86,5 @@ impl From<NoPlan> for NotFound {
             could_leave: Vec::new(),
             best: None,
         }
-    }
-}
-
-impl From<NoPlan> for PlanError {
-    fn from(missing: NoPlan) -> Self {
-        Self::NoPlan(Box::new(missing.into()))
     }
 }

@@ -4,8 +4,9 @@
 //! `rehearsed` { `certified` { `attempt`: baseline -> optimize -> certify } -> rehearse } -> plan.
 
 use crate::attempt::{Attempt, Course, Origin};
-use crate::error::{NoPlan, PlanError};
+use crate::error::PlanError;
 use crate::leave_more::leave_more;
+use crate::no_plan::NoPlan;
 use crate::not_found::{NotFound, Tried};
 use crate::observer::{Observer, Stage};
 use crate::options::{PlanOptions, RehearsalMode};

@@ -6,14 +6,11 @@ pub(super) mod file;
 use super::parts::Reference;
 use super::plan::file::FileOverrides;
 use super::{FileError, Problem};
-use file::{File, FileProof};
+use file::{FORMAT, File, FileProof};
 use pairtrawl_certificate::infeasibility::{Move, Proof, ProofKind};
 use pairtrawl_model::{Overrides, SceneReference};
 use serde::Deserialize;
 use std::path::Path;
-
-/// The first field of every such file.
-pub(crate) const FORMAT: &str = "pairtrawl-infeasible/1";
 
 /// Proofs as they stand in a file, perhaps one made by another program. They are claims until they are verified.
 #[derive(Clone, Debug, PartialEq)]

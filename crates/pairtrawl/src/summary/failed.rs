@@ -2,8 +2,9 @@
 
 use super::rings::free_rings;
 use super::summarize;
-use crate::error::{NoPlan, PlanError};
+use crate::error::PlanError;
 use crate::infeasible::Infeasible;
+use crate::no_plan::NoPlan;
 use crate::not_found::NotFound;
 use pairtrawl_certificate::infeasibility::ProofKind;
 use pairtrawl_model::numbers::quantity;

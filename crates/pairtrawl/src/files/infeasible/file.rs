@@ -1,8 +1,9 @@
-#[cfg(feature = "schema")]
-use super::FORMAT;
 use crate::files::parts::Reference;
 use crate::files::plan::file::FileOverrides;
 use serde::{Deserialize, Serialize};
+
+/// The first field of every such file.
+pub const FORMAT: &str = "pairtrawl-infeasible/1";
 
 /// Proofs that a scene has no plan, or none that gathers everything. `pairtrawl check` verifies them without searching. SI
 /// units, map frame.
