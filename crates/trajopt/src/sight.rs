@@ -38,7 +38,10 @@ impl<'a> Sight<'a> {
         crossings.sort_unstable();
         let astray = crossings.iter().flat_map(|&(stage, object)| {
             let (center, _) = problem.objects[object as usize];
-            let (l, r) = (x.position(stage, Side::Left), x.position(stage, Side::Right));
+            let (l, r) = (
+                x.position(stage, Side::Left),
+                x.position(stage, Side::Right),
+            );
             let is_astray = move |robot: &Side| {
                 let out = (l - r) * robot.sign();
                 out.dot(x.position(stage, *robot) - center) < 0.0
