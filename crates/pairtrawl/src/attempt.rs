@@ -182,7 +182,7 @@ impl<'a> Course<'a> {
     }
 
     /// Why no attempt is certified, after that number of rounds; `worst` fails by most in the best one.
-    pub fn no_plan(&self, best: &Attempt, worst: &Claim) -> NoPlan {
+    pub fn no_plan(&self, best: &Attempt, worst: &Claim, rounds: usize) -> NoPlan {
         let max_step = self.prepared.scene.planner.max_step;
         let (left, right) = best.baseline.path_lengths();
         let (waypoints, course) = (best.baseline.len(), left.max(right));
@@ -195,7 +195,7 @@ impl<'a> Course<'a> {
         }
         NoPlan::ClaimFails {
             claim: worst.clone(),
-            rounds: self.prepared.options.rounds,
+            rounds,
             solver: best.solver.status,
         }
     }
@@ -230,7 +230,7 @@ impl Attempt {
         failing.min_by(|a, b| a.margin.total_cmp(&b.margin))
     }
 
-    /// True when a claim fails by far more than what happens between waypoints, and the optimizer sees no way to mend it.
+    /// True when a claim fails by far more than what happens between waypoints, and the optimizer has found no way to mend it.
     pub fn is_hopeless(&self, scales: &Scales) -> bool {
         let mut failing = self.certificate.claims.iter().filter(|claim| !claim.holds);
         let by_far = |claim: &Claim| match claim.id {
@@ -238,7 +238,7 @@ impl Attempt {
             id if id.unit() == "m" => claim.margin < -HOPELESS * scales.length,
             _ => claim.margin < -HOPELESS,
         };
-        self.solver.status == SolverStatus::LocallyInfeasible && failing.any(by_far)
+        self.solver.status != SolverStatus::Converged && failing.any(by_far)
     }
 
     /// How many claims fail.

@@ -5,15 +5,16 @@ use crate::not_found::NotFound;
 use crate::prepare::Prepared;
 use crate::run::Run;
 use pairtrawl_geometry::{Point, Segment, SweptLine};
-use pairtrawl_model::{ClaimId, Leave, PairTrajectory, Scene};
+use pairtrawl_model::{ClaimId, Leave, LeftOut, LeftWhy, PairTrajectory, Plan, Scene};
 
 /// Times that more is left, at most.
 const ROUNDS: usize = 6;
 /// An object farther than this from a place where a claim fails has nothing to do with it, in units of the length scale.
 const NEAR: f64 = 2.0;
 
-/// Plans by `plan` for what is left of a scene for which no plan was found. Where the options do not allow to leave anything, the
-/// refusal comes back, and says which objects a plan was found without.
+/// Plans by `plan` for what is left of a scene for which no plan was found, leaving more and more.
+/// `plan` returns the objects too for which it found no plan. Where the options do not
+/// allow to leave anything, the refusal comes back, and says which objects a plan was found without.
 ///
 /// # Errors
 /// [`PlanError`], as without leaving more.
@@ -21,33 +22,32 @@ pub(crate) fn leave_more<T>(
     prepared: &Prepared,
     mut refused: Box<NotFound>,
     run: &mut Run,
-    mut plan: impl FnMut(&Prepared, &mut Run) -> Result<T, PlanError>,
+    mut plan: impl FnMut(&Prepared, &mut Run) -> Result<(T, Vec<usize>), PlanError>,
 ) -> Result<T, PlanError> {
-    let mut left: Vec<usize> = Vec::new();
+    let may_leave = prepared.options.leave_for(&prepared.scene) == Leave::Unreachable;
+    let mut left: Vec<LeftOut> = Vec::new();
     let mut latest = refused.clone();
     for _ in 0..ROUNDS {
-        let fewer = prepared.leaving(&left, "");
-        let more = in_the_way(&latest, &fewer.scene, NEAR * prepared.scales.length);
-        left.extend(more.iter().copied());
-        left.sort_unstable();
-        let rest = prepared.leaving(
-            &left,
-            &format!("no plan was found with it: {}", latest.missing),
-        );
+        let scene = prepared.leaving(&left).scene;
+        let more = in_the_way(&latest, &scene, NEAR * prepared.scales.length);
+        left.extend(more.iter().map(|&object| LeftOut {
+            object,
+            why: LeftWhy::NotFound,
+            text: format!("no plan was found with it: {}", latest.missing),
+        }));
+        let rest = prepared.leaving(&left);
         if more.is_empty() || rest.scene.objects.iter().all(|object| object.leave) {
             break;
         }
         run.note(&format!(
-            "no certified plan; planning again without {} more",
+            "no certified plan; planning again without {} more of the objects",
             more.len()
         ));
         run.round += 1;
         match plan(&rest, run) {
-            Ok(planned) if prepared.options.leave_for(&prepared.scene) == Leave::Unreachable => {
-                return Ok(planned);
-            }
-            Ok(_) => {
-                refused.could_leave = left;
+            Ok((planned, still_left)) if may_leave || still_left.is_empty() => return Ok(planned),
+            Ok((_, still_left)) => {
+                refused.could_leave = still_left;
                 break;
             }
             Err(PlanError::NoPlan(next)) => latest = next,
@@ -55,6 +55,20 @@ pub(crate) fn leave_more<T>(
         }
     }
     Err(PlanError::NoPlan(refused))
+}
+
+/// What a plan leaves because no plan was found with it.
+pub(crate) fn not_found(plan: &Plan) -> impl Iterator<Item = &LeftOut> {
+    let left_out = plan.left_out.iter();
+    left_out.filter(|left| left.why == LeftWhy::NotFound)
+}
+
+/// The objects for which no plan was found and that a plan sweeps nevertheless.
+pub(crate) fn swept_anyway(plan: &Plan, scene: &Scene) -> Vec<usize> {
+    not_found(plan)
+        .map(|left| left.object)
+        .filter(|&object| !is_outside(&plan.trajectory, scene.objects[object].position))
+        .collect()
 }
 
 /// The objects that are to be gathered and that an attempt leaves outside, and those nearest to where another claim fails.

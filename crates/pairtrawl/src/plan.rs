@@ -5,7 +5,7 @@
 
 use crate::attempt::{Attempt, Course, Origin};
 use crate::error::PlanError;
-use crate::leave_more::leave_more;
+use crate::leave_more::{leave_more, not_found, swept_anyway};
 use crate::no_plan::NoPlan;
 use crate::not_found::{NotFound, Tried};
 use crate::observer::{Observer, Stage};
@@ -14,7 +14,13 @@ use crate::prepare::{Prepared, prepare};
 use crate::run::Run;
 use crate::starts::starts;
 use crate::tighten::Tightening;
-use pairtrawl_model::{Plan, Rehearsal, RehearsalRecord, Scene, SceneReference, StageTime};
+use pairtrawl_model::{
+    LeftOut, PairTrajectory, Plan, Rehearsal, RehearsalRecord, Scene, SceneReference, StageTime,
+};
+
+/// More rounds in a row that mend nothing are not made, and the share of a miss that is left where a round mends something.
+const MOST_IN_VAIN: usize = 1;
+const GAIN: f64 = 0.7;
 
 /// A plan, and what came to light while it was made.
 #[derive(Clone, Debug, PartialEq)]
@@ -51,10 +57,55 @@ pub(crate) fn from_nothing(
 ) -> Result<Planned, PlanError> {
     match from_starts(prepared, reference, &mut run) {
         Err(PlanError::NoPlan(refused)) => leave_more(prepared, refused, &mut run, |rest, run| {
-            from_starts(rest, reference, run)
+            let planned = from_starts(rest, reference, run)?;
+            let planned = take_back(prepared, planned, reference, run)?;
+            let left = not_found(&planned.plan).map(|left| left.object).collect();
+            Ok((planned, left))
         }),
         other => other,
     }
+}
+
+/// What a plan sweeps although it was left is gathered after all: the same plan, optimized with it.
+fn take_back(
+    prepared: &Prepared,
+    mut planned: Planned,
+    reference: &SceneReference,
+    run: &mut Run,
+) -> Result<Planned, PlanError> {
+    for object in swept_anyway(&planned.plan, &prepared.scene) {
+        let others = not_found(&planned.plan).filter(|left| left.object != object);
+        let left: Vec<LeftOut> = others.cloned().collect();
+        let fewer = prepared.leaving(&left);
+        let before = (&planned.plan.trajectory, planned.plan.net_length);
+        match from_before(&fewer, before.0, before.1, reference, run) {
+            Ok(more) => planned = more,
+            Err(PlanError::NoPlan(_)) => run.round += 1,
+            Err(error) => return Err(error),
+        }
+    }
+    Ok(planned)
+}
+
+/// Plans from the waypoints of an earlier plan and its net length, in m.
+pub(crate) fn from_before(
+    prepared: &Prepared,
+    waypoints: &PairTrajectory,
+    net_length: f64,
+    reference: &SceneReference,
+    run: &mut Run,
+) -> Result<Planned, PlanError> {
+    let waypoints = prepared.scales.scaled_trajectory(waypoints);
+    let first_length = prepared.scales.scaled(net_length);
+    let net_length = prepared.net_length.unwrap_or(first_length);
+    let order = prepared.swept_order(&waypoints);
+    let course = Course::new(prepared, &order);
+    let (attempt, rehearsal) = rehearsed(&course, &Origin::Before(&waypoints, net_length), run)?;
+    Ok(Planned {
+        plan: attempt.into_plan(&course, reference, rehearsal.as_ref()),
+        rehearsal,
+        stages: run.stages.clone(),
+    })
 }
 
 /// Plans a prepared scene from its starts.
@@ -170,17 +221,21 @@ pub(crate) fn certified(
 ) -> Result<Attempt, PlanError> {
     let prepared = course.prepared;
     let mut best = course.attempt(origin, tightening, run)?;
-    for _ in 1..prepared.options.rounds {
-        if best.worst().is_none() {
-            break;
-        }
+    let (mut rounds, mut in_vain) = (1, 0);
+    while rounds < prepared.options.rounds {
         // Misses that no margin makes up for: another start helps, more rounds do not.
-        if best.is_hopeless(&prepared.scales) {
+        if best.worst().is_none() || best.is_hopeless(&prepared.scales) || in_vain > MOST_IN_VAIN {
             break;
         }
         *tightening = tightening.after_claims(&best.certificate, &prepared.scales);
-        run.round += 1;
+        (run.round, rounds) = (run.round + 1, rounds + 1);
         let next = course.attempt(origin, tightening, run)?;
+        let misses_by = |attempt: &Attempt| attempt.worst().map_or(0.0, |worst| -worst.margin);
+        if next.failures() < best.failures() || misses_by(&next) < GAIN * misses_by(&best) {
+            in_vain = 0;
+        } else {
+            in_vain += 1;
+        }
         if next.failures() <= best.failures() {
             best = next;
         }
@@ -188,7 +243,7 @@ pub(crate) fn certified(
     match best.worst() {
         None => Ok(best),
         Some(worst) => {
-            let missing = course.no_plan(&best, worst);
+            let missing = course.no_plan(&best, worst, rounds);
             Err(PlanError::NoPlan(Box::new(NotFound {
                 best: Some(Box::new(best.into_no_plan(course, None))),
                 ..missing.into()

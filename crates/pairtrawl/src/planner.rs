@@ -1,14 +1,12 @@
 //! Planning again when the scene has changed.
 
-use crate::attempt::{Course, Origin};
 use crate::error::PlanError;
 use crate::observer::Observer;
 use crate::options::{NetLength, PlanOptions};
-use crate::plan::{Planned, from_nothing, plan, rehearsed};
-use crate::prepare::{Prepared, prepare};
+use crate::plan::{Planned, from_before, from_nothing, plan};
+use crate::prepare::prepare;
 use crate::run::Run;
-use pairtrawl_geometry::Segment;
-use pairtrawl_model::{PairTrajectory, Plan, Scene, SceneReference, Warning};
+use pairtrawl_model::{Plan, Scene, SceneReference, Warning};
 
 /// Fewest waypoints that are worth a warm start.
 const FEWEST: usize = 8;
@@ -68,7 +66,7 @@ impl Planner {
         let prepared = prepare(scene, &options, &mut run)?;
         let ahead = before.trajectory.from_waypoint(passed);
         if ahead.len() >= FEWEST {
-            match warm(&prepared, &ahead, reference, &mut run) {
+            match from_before(&prepared, &ahead, before.net_length, reference, &mut run) {
                 Err(PlanError::NoPlan(_)) => run.round += 1,
                 ended => return ended,
             }
@@ -77,38 +75,4 @@ impl Planner {
         planned.plan.warnings.push(Warning::PlannedFromNothing);
         Ok(planned)
     }
-}
-
-/// Plans from the rest of an earlier plan, in m.
-fn warm(
-    prepared: &Prepared,
-    ahead: &PairTrajectory,
-    reference: &SceneReference,
-    run: &mut Run,
-) -> Result<Planned, PlanError> {
-    let ahead = prepared.scales.scaled_trajectory(ahead);
-    let net_length = prepared.net_length.unwrap_or_default();
-    let order = swept_order(prepared, &ahead);
-    let course = Course::new(prepared, &order);
-    let (attempt, rehearsal) = rehearsed(&course, &Origin::Before(&ahead, net_length), run)?;
-    Ok(Planned {
-        plan: attempt.into_plan(&course, reference, rehearsal.as_ref()),
-        rehearsal,
-        stages: run.stages.clone(),
-    })
-}
-
-/// The circles in the order in which the line between the robots comes nearest to them.
-fn swept_order(prepared: &Prepared, pair: &PairTrajectory) -> Vec<usize> {
-    let circles = &prepared.world.circles;
-    let nearest = |circle: usize| {
-        let distance = |i: &usize| {
-            let line = Segment::new(pair.left[*i].position(), pair.right[*i].position());
-            line.distance(circles[circle].center)
-        };
-        (0..pair.len()).min_by(|a, b| distance(a).total_cmp(&distance(b)))
-    };
-    let mut order: Vec<usize> = (0..circles.len()).collect();
-    order.sort_by_key(|&circle| nearest(circle));
-    order
 }

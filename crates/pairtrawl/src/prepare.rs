@@ -6,7 +6,8 @@ use crate::observer::Stage;
 use crate::options::PlanOptions;
 use crate::run::Run;
 use pairtrawl_certificate::infeasibility;
-use pairtrawl_model::{Leave, LeftOut, LeftWhy, Scales, Scene};
+use pairtrawl_geometry::Segment;
+use pairtrawl_model::{Leave, LeftOut, PairTrajectory, Scales, Scene};
 use pairtrawl_route::RouteError;
 use pairtrawl_world::World;
 use std::borrow::Cow;
@@ -89,21 +90,13 @@ impl<'a> Prepared<'a> {
     }
 
     /// The same with more objects left where they are, because no certified plan was found that includes them: no circle
-    /// is made of them and nothing demands that they are covered. `text` says for people what was tried.
-    pub fn leaving(&self, objects: &[usize], text: &str) -> Prepared<'a> {
-        let scene = self.scene.leaving(objects.iter().copied());
+    /// is made of them and nothing demands that they are covered.
+    pub fn leaving(&self, more: &[LeftOut]) -> Prepared<'a> {
+        let scene = self.scene.leaving(more.iter().map(|left| left.object));
         let scaled = self.scales.scene(&scene);
         let world = self.world.with_circles_of(&scaled, self.net_length);
         let mut left_out = self.left_out.clone();
-        for &object in objects {
-            if left_out.iter().all(|left| left.object != object) {
-                left_out.push(LeftOut {
-                    object,
-                    why: LeftWhy::NotFound,
-                    text: text.to_owned(),
-                });
-            }
-        }
+        left_out.extend_from_slice(more);
         left_out.sort_by_key(|left| left.object);
         Prepared {
             scene: Cow::Owned(scene),
@@ -112,6 +105,21 @@ impl<'a> Prepared<'a> {
             left_out,
             ..self.clone()
         }
+    }
+
+    /// The circles in the order in which the line between the robots comes nearest to them.
+    pub fn swept_order(&self, pair: &PairTrajectory) -> Vec<usize> {
+        let circles = &self.world.circles;
+        let nearest = |circle: usize| {
+            let distance = |i: &usize| {
+                let line = Segment::new(pair.left[*i].position(), pair.right[*i].position());
+                line.distance(circles[circle].center)
+            };
+            (0..pair.len()).min_by(|a, b| distance(a).total_cmp(&distance(b)))
+        };
+        let mut order: Vec<usize> = (0..circles.len()).collect();
+        order.sort_by_key(|&circle| nearest(circle));
+        order
     }
 
     /// A failure of the route in the planner's words, with its places in m.
