@@ -22,7 +22,8 @@ pub fn settle() {
 /// Moves the results of an earlier run out of the way; the folder that they are in now, when there were any.
 pub fn set_aside() -> Option<PathBuf> {
     let (folder, names) = open().take()?;
-    if !names.iter().any(|name| folder.join(name).is_file()) {
+    let main = names.first()?;
+    if !folder.join(main).is_file() {
         return None;
     }
     let earlier = folder.join(EARLIER);

@@ -72,7 +72,7 @@ impl From<&ClaimSummary> for ClaimObject {
 }
 
 /// An object that is left where it is.
-#[derive(Debug, Serialize, JsonSchema)]
+#[derive(Clone, Debug, Serialize, JsonSchema)]
 pub struct LeftOutObject {
     /// Its index in the scene.
     object: usize,

@@ -367,6 +367,10 @@ fn a_failed_plan_sets_the_earlier_one_aside_and_says_so() {
         .collect();
     let mut expected = earlier.clone();
     expected.push("notes.txt".to_owned());
+    let with_bad_input = expected.clone();
+    // A proof comes with pictures.
+    expected.extend(["failed.html", "failed.svg", "infeasible.json"].map(str::to_owned));
+    expected.sort();
 
     let failed = plan(&["--net-length", "0.5", "--json"]);
     assert_eq!(failed.status.code(), Some(4));
@@ -380,9 +384,10 @@ fn a_failed_plan_sets_the_earlier_one_aside_and_says_so() {
     assert_eq!(files_below(&out), expected);
     // A file that is not a scene fails in the same way.
     assert_eq!(plan(&[]).status.code(), Some(0));
+    assert!(!out.join("failed.svg").exists(), "there is a plan now");
     std::fs::write(&scene, "nothing").expect("written");
     assert_eq!(plan(&[]).status.code(), Some(3));
-    assert_eq!(files_below(&out), expected);
+    assert_eq!(files_below(&out), with_bad_input);
 }
 
 #[cfg(unix)]

@@ -264,11 +264,11 @@ fn a_failed_rehearsal_warns_or_refuses() {
     ]);
     assert_eq!(ended.status.code(), Some(5), "{}", stderr(&ended));
     assert!(stderr(&ended).contains("rehearsal"));
-    assert_eq!(files_below(&strict), Vec::<String>::new());
+    assert_eq!(files_below(&strict), ["failed.html", "failed.svg"]);
 }
 
 #[test]
-fn time_runs_out_with_5_and_no_file() {
+fn time_runs_out_with_5_and_no_plan() {
     let folder = tempfile::tempdir().expect("a folder");
     let out = folder.path().join("out");
     let scene = library_scene("paper-simulation");
@@ -282,7 +282,7 @@ fn time_runs_out_with_5_and_no_file() {
     ]);
     assert_eq!(ended.status.code(), Some(5), "{}", stderr(&ended));
     assert!(stderr(&ended).contains("0.001"));
-    assert_eq!(files_below(folder.path()), Vec::<String>::new());
+    assert_eq!(files_below(&out), ["failed.html", "failed.svg"]);
 }
 
 #[test]

@@ -4,7 +4,7 @@
 mod program;
 
 use jsonschema::Validator;
-use program::{SMALL, files_below, folder_with, run, stderr, stdout, text};
+use program::{PINNED, SMALL, files_below, folder_with, run, stderr, stdout, text};
 use serde_json::Value;
 use std::collections::BTreeMap;
 use std::path::{Path, PathBuf};
@@ -67,7 +67,12 @@ fn what_is_printed_and_written_fits_the_schemas() {
     let run_once = [
         "run", scene, plan_path, "--trials", "1", "--quick", "-o", out,
     ];
-    let calls: [(&str, i32, &[&str]); 17] = [
+    let (_pinned_folder, pinned) = folder_with(PINNED);
+    let pinned = text(&pinned);
+    let (short, left) = (inside("short"), inside("left"));
+    let proofs = format!("{short}/infeasible.json");
+    let partly = format!("{left}/plan.json");
+    let calls: [(&str, i32, &[&str]); 22] = [
         ("plan", 0, &["plan", scene, "-o", out, "--no-rehearsal"]),
         ("check", 0, &["check", scene, plan_path]),
         ("rehearse", 0, &["rehearse", scene, plan_path, "--quick"]),
@@ -110,10 +115,34 @@ fn what_is_printed_and_written_fits_the_schemas() {
             &["plan", "missing.toml", "-o", &inside("missing")],
         ),
         ("error", 3, &["check", scene, "missing.json"]),
+        ("error", 4, &["plan", pinned, "-o", &short]),
+        ("check", 0, &["check", pinned, &proofs]),
+        ("show", 0, &["show", pinned, "-o", &left]),
+        (
+            "plan",
+            0,
+            &[
+                "plan",
+                pinned,
+                "-o",
+                &left,
+                "--leave",
+                "unreachable",
+                "--no-rehearsal",
+            ],
+        ),
+        ("check", 0, &["check", pinned, &partly]),
         (
             "error",
-            4,
-            &["plan", scene, "-o", &inside("short"), "--net-length", "0.5"],
+            5,
+            &[
+                "plan",
+                scene,
+                "-o",
+                &inside("late"),
+                "--time-limit",
+                "0.000001",
+            ],
         ),
         ("error", 2, &["plan", scene, "--waypoints", "2"]),
         (
@@ -151,12 +180,19 @@ fn what_is_printed_and_written_fits_the_schemas() {
     for name in ["plan", "execution", "length", "monte-carlo"] {
         expect_fit(name, &json(&Path::new(out).join(format!("{name}.json"))));
     }
+    expect_fit("infeasible", &json(Path::new(&proofs)));
+    expect_fit("plan", &json(Path::new(&partly)));
     expect_fit("plan", &json(&folder.path().join("made/witness.json")));
     // Every field of the format is written.
     let properties = schema("plan")["properties"].clone();
     let written = json(&plan);
     for name in properties.as_object().expect("properties").keys() {
-        assert!(written.get(name).is_some(), "plan.json lacks {name}");
+        // It is there only when something is left.
+        let needed = name != "left_out";
+        assert!(
+            !needed || written.get(name).is_some(),
+            "plan.json lacks {name}"
+        );
     }
 }
 

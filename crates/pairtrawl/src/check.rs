@@ -1,6 +1,7 @@
+use pairtrawl_certificate::infeasibility::{self, Proof};
 use pairtrawl_certificate::{certify, judge_stated_time_law, net_length_claim, scene_claim};
 use pairtrawl_model::{
-    Certificate, Claim, ClaimId, LeftOut, Overrides, PairTrajectory, Scene, SceneReference,
+    Certificate, Claim, ClaimId, LeftOut, LeftWhy, Overrides, PairTrajectory, Scene, SceneReference,
 };
 use pairtrawl_reference::Reference;
 use std::borrow::Cow;
@@ -31,6 +32,31 @@ pub(crate) fn without_left<'a>(scene: &'a Scene, left_out: &[LeftOut]) -> Cow<'a
     }
 }
 
+/// What is wrong with the objects that a plan leaves: one that the scene does not have, or one that is called impossible
+/// without a proof.
+fn unfounded(scene: &Scene, candidate: &Candidate) -> Option<String> {
+    let left_out = candidate.left_out;
+    if let Some(left) = (left_out.iter()).find(|left| left.object >= scene.objects.len()) {
+        let (object, count) = (left.object, scene.objects.len());
+        return Some(format!(
+            "the plan leaves object {object}, but the scene has only {count} objects"
+        ));
+    }
+    if left_out.iter().all(|left| left.why != LeftWhy::Proven) {
+        return None;
+    }
+    let net_length = candidate.overrides.net_length.unwrap_or(scene.net.length);
+    let proven: Vec<usize> = (infeasibility::prove(scene, net_length).iter())
+        .filter_map(Proof::object)
+        .collect();
+    let mut called_proven = left_out.iter().filter(|l| l.why == LeftWhy::Proven);
+    let left = called_proven.find(|left| !proven.contains(&left.object))?;
+    Some(format!(
+        "the plan leaves object {} as proven impossible, but there is no such proof",
+        left.object
+    ))
+}
+
 /// Proves a plan from its scene and its two trajectories alone: every claim of the file format, `scene` and `net_length`
 /// first. Nothing else that the plan says is believed.
 pub fn check(scene: &Scene, reference: &SceneReference, candidate: &Candidate) -> Certificate {
@@ -45,6 +71,7 @@ pub fn check(scene: &Scene, reference: &SceneReference, candidate: &Candidate) -
             detail: "the plan names no scene: it is judged against this one".to_owned(),
         },
     };
+    let whole = scene;
     let scene = &*without_left(scene, candidate.left_out);
     let net = net_length_claim(candidate.net_length, scene.net.length, candidate.overrides);
     let mut claims = vec![whose, net];
@@ -61,6 +88,13 @@ pub fn check(scene: &Scene, reference: &SceneReference, candidate: &Candidate) -
     {
         let (robot, trajectory) = (&scene.robot, candidate.trajectory);
         judge_stated_time_law(speed, robot, trajectory, (reference, stated));
+    }
+    if let Some(problem) = unfounded(whole, candidate)
+        && let Some(covered) = (claims.iter_mut()).find(|c| c.id == ClaimId::EveryObjectCovered)
+    {
+        covered.holds = false;
+        covered.margin = f64::NEG_INFINITY;
+        covered.detail = problem;
     }
     Certificate { claims }
 }

@@ -4,13 +4,14 @@ use crate::arguments::MonteCarloArguments;
 use crate::exit::Exit;
 use crate::failure::Failure;
 use crate::interrupt;
+use crate::objects::LeftOutObject;
 use crate::output::{Done, Report, to_json};
 use crate::results::{Results, in_folder};
 use crate::trials::Trials;
 use pairtrawl::execute::{MonteCarlo, MonteCarloOptions, MonteCarloRow};
 use pairtrawl::files::LoadedScene;
-use pairtrawl::model::ControllerKind;
 use pairtrawl::model::numbers::{length, lengths, quantity};
+use pairtrawl::model::{ControllerKind, LeftOut};
 use schemars::JsonSchema;
 use serde::Serialize;
 use std::fmt::Write;
@@ -29,6 +30,8 @@ pub struct MonteCarloReport {
     tolerance: f64,
     /// True when it was stopped before all drives were finished.
     interrupted: bool,
+    /// Objects that the plan leaves where they are, ascending.
+    left_out: Vec<LeftOutObject>,
     /// A row for each law that finished a drive.
     rows: Vec<RowObject>,
 }
@@ -101,7 +104,7 @@ fn monte_carlo_in(
     let mut warnings = loaded.warnings.clone();
     warnings.extend(unproven(&plan));
     let scene = &loaded.scene.name;
-    let about = report(&table, &options);
+    let about = report(&table, &options, &plan.left_out);
     let files = match results {
         Some(results) => {
             let file = MonteCarloReport {
@@ -173,13 +176,14 @@ fn table_text(table: &MonteCarlo, options: &MonteCarloOptions) -> String {
     text
 }
 
-fn report(table: &MonteCarlo, options: &MonteCarloOptions) -> MonteCarloReport {
+fn report(table: &MonteCarlo, options: &MonteCarloOptions, left: &[LeftOut]) -> MonteCarloReport {
     MonteCarloReport {
         scene: None,
         runs: options.runs,
         seed: options.seed,
         tolerance: options.tolerance,
         interrupted: table.interrupted,
+        left_out: left.iter().map(LeftOutObject::from).collect(),
         rows: table.rows.iter().map(row).collect(),
     }
 }

@@ -25,9 +25,6 @@ const FILES: &[&str] = &[
     "plan.csv",
     "left.tum",
     "right.tum",
-    failed::FILES[0],
-    failed::FILES[1],
-    failed::FILES[2],
 ];
 
 /// A plan in numbers.
@@ -113,6 +110,8 @@ pub fn plan_into(
     scene: impl FnOnce(WithScene<'_>) -> Result<Done, Failure>,
 ) -> Result<Done, Failure> {
     in_folder(folder, FILES, |results| {
+        // What an earlier run said of its failure is not about this one.
+        results.clear(&failed::FILES);
         scene(&|loaded| plan_and_write(command, loaded, planning, results))
     })
 }
@@ -141,7 +140,6 @@ fn plan_and_write(
         &planned.stages,
         planned.rehearsal.as_ref(),
     );
-    results.clear(&failed::FILES);
     let files = write(results, &loaded.scene, &planned.plan, &summary)?;
     Report::new(command, Exit::Done, PlanReport::from(&summary))
         .scene(&summary.title)

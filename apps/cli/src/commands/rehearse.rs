@@ -2,11 +2,12 @@ use super::with_scene;
 use crate::arguments::RehearseArguments;
 use crate::exit::Exit;
 use crate::failure::Failure;
-use crate::objects::RehearsalObject;
+use crate::objects::{LeftOutObject, RehearsalObject};
 use crate::output::{Done, Report};
 use crate::plan_text::rehearsal_text;
 use crate::progress::Progress;
 use crate::results::{Results, in_folder};
+use pairtrawl::Rehearsed;
 use pairtrawl::files::{LoadedScene, read_plan};
 use pairtrawl::model::numbers::{duration, length, place, quantity};
 use pairtrawl::model::{Rehearsal, RehearsalRecord};
@@ -23,8 +24,8 @@ pub struct RehearseReport {
     rehearsal: RehearsalObject,
     /// For each object of the scene: true when it lies in the net at the end.
     gathered: Vec<bool>,
-    /// Objects that the plan leaves where they are: they do not count.
-    left: Vec<usize>,
+    /// Objects that the plan leaves where they are, ascending: they do not count.
+    left_out: Vec<LeftOutObject>,
     /// Greatest tension at the hitches, N.
     max_tension: [f64; 2],
     /// Greatest distance from the plan, m.
@@ -112,7 +113,7 @@ fn rehearse_in(
     } else {
         Exit::NotGathered
     };
-    Report::new("rehearse", exit, report(record, valid))
+    Report::new("rehearse", exit, report(&rehearsed, valid))
         .scene(&loaded.scene.name)
         .done(exit, text, &warnings, &files)
 }
@@ -170,11 +171,17 @@ fn record_text(name: &str, record: &RehearsalRecord) -> String {
     text
 }
 
-fn report(record: &RehearsalRecord, certificate_valid: bool) -> RehearseReport {
+fn report(rehearsed: &Rehearsed, certificate_valid: bool) -> RehearseReport {
+    let record = &rehearsed.record;
     RehearseReport {
         rehearsal: RehearsalObject::from(&record.verdict),
         gathered: record.gathered.clone(),
-        left: record.left.clone(),
+        left_out: rehearsed
+            .plan
+            .left_out
+            .iter()
+            .map(LeftOutObject::from)
+            .collect(),
         max_tension: record.max_tension,
         max_deviation: record.max_deviation,
         mean_drive_force: record.mean_drive_force,

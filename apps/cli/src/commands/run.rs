@@ -4,7 +4,9 @@ use crate::arguments::RunArguments;
 use crate::exit::Exit;
 use crate::failure::Failure;
 use crate::interrupt;
+use crate::objects::LeftOutObject;
 use crate::output::{Done, Report};
+use crate::plan_text::left_summary;
 use crate::results::{Results, in_folder};
 use crate::trials::Trials;
 use pairtrawl::execute::{ExecutionOptions, recording};
@@ -31,6 +33,8 @@ pub struct RunReport {
     controller: &'static str,
     /// True when it was stopped before all drives were finished.
     interrupted: bool,
+    /// Objects that the plan leaves where they are, ascending: no drive is to gather them.
+    left_out: Vec<LeftOutObject>,
     /// What came of all finished drives together.
     summary: ExecutionFigures,
 }
@@ -94,11 +98,13 @@ fn run_in(
     let about = RunReport {
         controller: execution.controller.name(),
         interrupted: execution.interrupted,
+        left_out: plan.left_out.iter().map(LeftOutObject::from).collect(),
         summary: ExecutionFigures::from(&execution),
     };
     Report::new("run", exit, about).scene(&scene.name).done(
         exit,
-        execution_text(&scene.name, &execution),
+        execution_text(&scene.name, &execution)
+            + &left_summary(&plan.left_out, scene.objects.len()),
         &warnings,
         &files,
     )

@@ -67,6 +67,45 @@ heading = 0.0
 length = 1.2
 "#;
 
+/// The same with two more objects, of which object 1 is too close to the obstacle to be swept.
+pub const PINNED: &str = r#"
+format = "pairtrawl-scene/1"
+name = "pinned"
+
+[area]
+min = [0.0, 0.0]
+max = [4.0, 3.0]
+resolution = 0.05
+
+[[obstacles]]
+box = [1.8, 0.0, 2.2, 0.4]
+
+[[objects]]
+position = [2.0, 1.5]
+size = [0.05, 0.05]
+
+[[objects]]
+position = [2.0, 0.6]
+size = [0.05, 0.05]
+
+[[objects]]
+position = [2.5, 1.5]
+radius = 0.03
+
+[start]
+left = [0.5, 1.85]
+right = [0.5, 1.15]
+heading = 0.0
+
+[end]
+left = [3.5, 1.85]
+right = [3.5, 1.15]
+heading = 0.0
+
+[net]
+length = 1.2
+"#;
+
 /// A folder with `scene.toml` in it.
 pub fn folder_with(scene: impl AsRef<[u8]>) -> (tempfile::TempDir, PathBuf) {
     let folder = tempfile::tempdir().expect("a temporary folder");

@@ -23,6 +23,10 @@ pub struct File {
     pub reference: FileReference,
     /// What was asked for: with these options the same drives come out again.
     pub options: FileOptions,
+    /// Objects that the plan leaves where they are, ascending: no drive is to gather them.
+    #[serde(skip_serializing_if = "Vec::is_empty")]
+    #[cfg_attr(feature = "schema", schemars(default))]
+    pub left: Vec<usize>,
     /// How many drives were asked for.
     pub trials_wanted: usize,
     /// True when it was stopped before all of them were finished.

@@ -38,6 +38,7 @@ fn file(execution: &Execution, options: &ExecutionOptions, scene: &SceneReferenc
             claims: certificate.claims.iter().map(FileClaim::from).collect(),
         },
         options: FileOptions::from(options),
+        left: (execution.trials.first()).map_or_else(Vec::new, |trial| trial.left.clone()),
         trials_wanted: execution.trials_wanted,
         interrupted: execution.interrupted,
         summary: ExecutionFigures::from(execution),
