@@ -78,16 +78,27 @@ const FINEST_VIEW: f64 = 0.03;
 const MOST_IN_WORDS: usize = 8;
 
 /// Looks for proofs that no plan for this scene can be valid: one that is not about an object, or none, then the objects
-/// that provably cannot be swept, ascending, one proof each; all of them, where none of the first kind ends the search. Objects that are left need none. `net_length` (m) is the
-/// length in force; `None` leaves it to the planner. Scenes that are malformed or start in collision have no proofs: they
-/// are bad input.
+/// that provably cannot be swept, ascending, one proof each; all of them, where none of the first kind ends the search.
+/// Objects that are left need none. `net_length` (m) is the length in force; `None` leaves it to the planner. Scenes that
+/// are malformed or start in collision have no proofs: they are bad input.
 pub fn prove(scene: &Scene, net_length: Option<f64>) -> Vec<Proof> {
+    proofs(scene, net_length, true)
+}
+
+/// The objects that provably cannot be swept, ascending: those of [`prove`], in less time, without words and moves.
+pub fn impossible_objects(scene: &Scene, net_length: Option<f64>) -> Vec<usize> {
+    let proofs = proofs(scene, net_length, false);
+    proofs.iter().filter_map(Proof::object).collect()
+}
+
+fn proofs(scene: &Scene, net_length: Option<f64>, in_words: bool) -> Vec<Proof> {
     if !usable(scene, net_length) {
         return Vec::new();
     }
-    let Some(things) = Things::new(scene) else {
+    let Some(mut things) = Things::new(scene) else {
         return Vec::new();
     };
+    things.in_words = in_words;
     let net =
         |length| net_too_short::prove(scene, length).or_else(|| net_too_long::prove(scene, length));
     if let Some(proof) = net_length.and_then(net) {
@@ -129,7 +140,7 @@ fn ways(
                 &reached,
                 object,
                 net_length,
-                in_words < MOST_IN_WORDS,
+                things.in_words && in_words < MOST_IN_WORDS,
             ) {
                 Verdict::Enclosed(proof) => {
                     about[object] = Some(proof);

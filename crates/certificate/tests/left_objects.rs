@@ -3,7 +3,7 @@
 mod support;
 
 use pairtrawl_certificate::certify;
-use pairtrawl_certificate::infeasibility::{ProofKind, Refusal, prove, verify};
+use pairtrawl_certificate::infeasibility::{ProofKind, Refusal, impossible_objects, prove, verify};
 use pairtrawl_geometry::Point;
 use pairtrawl_model::Scene;
 use support::build::{cube, hall, straight, wall};
@@ -45,6 +45,7 @@ fn every_object_that_cannot_be_swept_is_named_with_its_own_proof() {
             (Some(4), "object_pinned"),
         ]
     );
+    assert_eq!(impossible_objects(&scene, Some(2.0)), [1, 2, 3, 4]);
     // What is left needs no proof, and the rest is not called impossible.
     assert_eq!(prove(&scene.leaving([1, 2, 3, 4]), Some(2.0)), []);
     let without_one = prove(&scene.leaving([1, 3, 4]), Some(2.0));

@@ -1,4 +1,4 @@
-use pairtrawl_certificate::infeasibility::{self, Proof};
+use pairtrawl_certificate::infeasibility;
 use pairtrawl_certificate::{certify, judge_stated_time_law, net_length_claim, scene_claim};
 use pairtrawl_model::{
     Certificate, Claim, ClaimId, LeftOut, LeftWhy, Overrides, PairTrajectory, Scene, SceneReference,
@@ -46,9 +46,12 @@ fn unfounded(scene: &Scene, candidate: &Candidate) -> Option<String> {
         return None;
     }
     let net_length = candidate.overrides.net_length.unwrap_or(scene.net.length);
-    let proven: Vec<usize> = (infeasibility::prove(scene, net_length).iter())
-        .filter_map(Proof::object)
-        .collect();
+    // What is left already needs a proof as well.
+    let mut whole = scene.clone();
+    for left in left_out {
+        whole.objects[left.object].leave = false;
+    }
+    let proven = infeasibility::impossible_objects(&whole, net_length);
     let mut called_proven = left_out.iter().filter(|l| l.why == LeftWhy::Proven);
     let left = called_proven.find(|left| !proven.contains(&left.object))?;
     Some(format!(

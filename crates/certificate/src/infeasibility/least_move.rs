@@ -29,6 +29,9 @@ pub(super) fn least_move(
     object: usize,
     helps: impl Fn(Point) -> bool,
 ) -> Option<Move> {
+    if !things.in_words {
+        return None;
+    }
     let scene = things.scene;
     let from = scene.objects[object].position;
     let can = |p: Point| is_place(things, object, p) && helps(p);

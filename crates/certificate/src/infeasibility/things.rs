@@ -11,6 +11,8 @@ pub(super) struct Things<'a> {
     pub(super) keep: f64,
     /// The largest circle of a robot's body: it has to get wherever the robot goes.
     pub(super) largest: BodyCircle,
+    /// False when nobody reads the proofs: then no least move is found.
+    pub(super) in_words: bool,
     /// The scene's length scale, m.
     pub(super) scale: f64,
 }
@@ -61,6 +63,7 @@ impl<'a> Things<'a> {
             obstacles,
             keep: sure_radius(&scene.robot),
             largest: largest(&scene.robot),
+            in_words: true,
             scale: Scales::of(scene).length,
         })
     }
