@@ -293,7 +293,7 @@ fn an_object_off_the_path_makes_it_plan_from_nothing() {
     let planner = Planner::new(quick());
     let before = planned(&loaded, &planner.options).plan;
     loaded.scene.objects.push(Object {
-        position: pairtrawl::geometry::Point::new(3.9, 1.6),
+        position: pairtrawl::geometry::Point::new(3.8, 0.7),
         footprint: Footprint::Disc(0.03),
         mass: 0.025,
         leave: false,
