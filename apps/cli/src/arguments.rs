@@ -1,5 +1,6 @@
 //! The command line, as clap reads it.
 
+mod bench_plan;
 mod check;
 mod completions;
 mod demo;
@@ -18,6 +19,7 @@ mod schemas;
 mod show;
 mod values;
 
+pub use bench_plan::BenchPlanArguments;
 pub use check::CheckArguments;
 pub use completions::CompletionsArguments;
 pub use demo::DemoArguments;
@@ -84,8 +86,10 @@ pub enum Command {
     Export(ExportArguments),
     /// Cost of the best plan over the length of the net
     Length(LengthArguments),
-    /// Make a scene that is solvable by construction, with its solution
+    /// Make a scene: solvable by construction, with its solution, or litter as it lies on a map or in a hall
     Generate(GenerateArguments),
+    /// Plan a folder of scenes and count: success, what is left, iterations, time, memory
+    BenchPlan(BenchPlanArguments),
     /// Write a commented scene to start from
     New(NewArguments),
     /// Print a completion script for a shell
@@ -109,6 +113,7 @@ impl Command {
             Self::Export(_) => "export",
             Self::Length(_) => "length",
             Self::Generate(_) => "generate",
+            Self::BenchPlan(_) => "bench-plan",
             Self::New(_) => "new",
             Self::Completions(_) => "completions",
             Self::Schemas(_) => "schemas",

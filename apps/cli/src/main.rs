@@ -1,6 +1,7 @@
 //! The program `pairtrawl`: arguments, progress, exit codes, files where the user wants them.
 
 mod arguments;
+mod bench;
 mod commands;
 mod details;
 mod earlier;
@@ -37,6 +38,7 @@ fn main() {
         Command::Export(export) => commands::export(export),
         Command::Length(length) => commands::length(length),
         Command::Generate(generate) => commands::generate(generate),
+        Command::BenchPlan(bench) => commands::bench_plan(bench),
         Command::New(new) => commands::new(new),
         Command::Completions(completions) => commands::completions(completions),
         Command::Schemas(schemas) => commands::schemas(schemas),

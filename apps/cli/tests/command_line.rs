@@ -6,7 +6,7 @@ use program::{SMALL, files_below, folder_with, library_scene, program, run, stde
 use serde_json::Value;
 use std::process::Stdio;
 
-const COMMANDS: [&str; 11] = [
+const COMMANDS: [&str; 12] = [
     "plan",
     "check",
     "demo",
@@ -16,6 +16,7 @@ const COMMANDS: [&str; 11] = [
     "export",
     "length",
     "generate",
+    "bench-plan",
     "new",
     "completions",
 ];

@@ -72,7 +72,7 @@ fn what_is_printed_and_written_fits_the_schemas() {
     let (short, left) = (inside("short"), inside("left"));
     let proofs = format!("{short}/infeasible.json");
     let partly = format!("{left}/plan.json");
-    let calls: [(&str, i32, &[&str]); 22] = [
+    let calls: [(&str, i32, &[&str]); 23] = [
         ("plan", 0, &["plan", scene, "-o", out, "--no-rehearsal"]),
         ("check", 0, &["check", scene, plan_path]),
         ("rehearse", 0, &["rehearse", scene, plan_path, "--quick"]),
@@ -105,6 +105,17 @@ fn what_is_printed_and_written_fits_the_schemas() {
             "generate",
             0,
             &["generate", "--kind", "hall", "-o", &inside("natural")],
+        ),
+        (
+            "bench-plan",
+            0,
+            &[
+                "bench-plan",
+                &inside("natural"),
+                "--no-rehearsal",
+                "-o",
+                &inside("bench"),
+            ],
         ),
         ("new", 0, &["new", &inside("hall")]),
         ("completions", 0, &["completions", "fish"]),
@@ -183,6 +194,7 @@ fn what_is_printed_and_written_fits_the_schemas() {
     expect_fit("infeasible", &json(Path::new(&proofs)));
     expect_fit("plan", &json(Path::new(&partly)));
     expect_fit("plan", &json(&folder.path().join("made/witness.json")));
+    expect_fit("bench", &json(&folder.path().join("bench/bench.json")));
     // Every field of the format is written.
     let properties = schema("plan")["properties"].clone();
     let written = json(&plan);

@@ -3,6 +3,7 @@
 //!
 //! SI units and radians; map frame of REP-103. `left` and `right` are as seen by someone who walks behind the pair.
 
+mod bench;
 mod body;
 mod certificate;
 mod claim_id;
@@ -27,6 +28,7 @@ mod trajectory;
 mod units;
 mod warning;
 
+pub use bench::{Bench, BenchFailures, BenchGroup, BenchScene};
 pub use body::{Body, BodyCircle};
 pub use certificate::{Certificate, Claim};
 pub use claim_id::ClaimId;

@@ -2,6 +2,7 @@
 //! [`pairtrawl_model::LengthCurve`]) and computes nothing but where on the paper things go.
 
 mod axis;
+mod bench_page;
 mod csv;
 mod frame;
 mod length_svg;
@@ -12,6 +13,7 @@ mod plan_svg;
 mod svg;
 mod words;
 
+pub use bench_page::bench_html;
 pub use csv::{length_csv, series_csv};
 pub use length_svg::length_svg;
 pub use page::{failed_html, report_html};

@@ -15,7 +15,7 @@ use crate::words;
 use pairtrawl_geometry::Point;
 use pairtrawl_model::Summary;
 
-const STYLE: &str = include_str!("../assets/page.css");
+pub(crate) const STYLE: &str = include_str!("../assets/page.css");
 const SCRIPTS: [&str; 4] = [
     include_str!("../assets/data.js"),
     include_str!("../assets/player.js"),

@@ -83,6 +83,65 @@ impl PlanningArguments {
     }
 }
 
+impl PlanningArguments {
+    /// The same as words of a command line; what is default is left out.
+    pub fn as_arguments(&self) -> Vec<String> {
+        // Every field by name: a new one must not be forgotten here.
+        let Self {
+            net_length,
+            waypoints,
+            order,
+            no_explore,
+            centerline,
+            method,
+            seed,
+            time_limit,
+            leave,
+            no_rehearsal,
+            require_rehearsal,
+        } = self;
+        let net_length = net_length.map(|length| match length {
+            pairtrawl::NetLength::Auto => "auto".to_owned(),
+            pairtrawl::NetLength::Fixed(length) => format!("{length:?}"),
+        });
+        let values = [
+            ("--net-length", net_length),
+            ("--waypoints", waypoints.map(|n| n.to_string())),
+            (
+                "--order",
+                name(order).filter(|_| !matches!(order, Order::Shortest)),
+            ),
+            ("--centerline", centerline.as_ref().and_then(name)),
+            (
+                "--method",
+                name(method).filter(|_| !matches!(method, Method::Joint)),
+            ),
+            ("--seed", (*seed != 0).then(|| seed.to_string())),
+            ("--time-limit", time_limit.map(|s| format!("{s:?}"))),
+            ("--leave", leave.as_ref().and_then(name)),
+        ];
+        let flags = [
+            ("--no-explore", no_explore),
+            ("--no-rehearsal", no_rehearsal),
+            ("--require-rehearsal", require_rehearsal),
+        ];
+        let values = values.into_iter().filter_map(|(option, value)| {
+            let value = value?;
+            Some([option.to_owned(), value])
+        });
+        let flags = flags.into_iter().filter(|(_, is_set)| **is_set);
+        values
+            .flatten()
+            .chain(flags.map(|(option, _)| option.to_owned()))
+            .collect()
+    }
+}
+
+/// A value's name on the command line.
+fn name(value: &impl ValueEnum) -> Option<String> {
+    Some(value.to_possible_value()?.get_name().to_owned())
+}
+
 impl From<Order> for pairtrawl::OrderMethod {
     fn from(order: Order) -> Self {
         match order {
@@ -146,5 +205,35 @@ impl From<Method> for pairtrawl::Method {
             Method::Alternating => Self::Alternating,
             Method::AlternatingBounded => Self::AlternatingBounded,
         }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::PlanningArguments;
+    use clap::Parser;
+
+    #[derive(Debug, Parser)]
+    struct Line {
+        #[command(flatten)]
+        planning: PlanningArguments,
+    }
+
+    #[test]
+    fn options_survive_a_command_line() {
+        let long = "x --net-length 2.5 --waypoints 300 --order given --no-explore --centerline rrt-star \
+                    --method alternating-bounded --seed 7 --time-limit 1.5 --leave unreachable --no-rehearsal";
+        for line in [
+            "x",
+            "x --net-length auto --require-rehearsal --leave none",
+            long,
+        ] {
+            let given = Line::parse_from(line.split_whitespace()).planning;
+            let words = std::iter::once("x".to_owned()).chain(given.as_arguments());
+            let again = Line::parse_from(words).planning;
+            assert_eq!(format!("{given:?}"), format!("{again:?}"));
+        }
+        let words = Line::parse_from(["x"]).planning.as_arguments();
+        assert!(words.is_empty(), "{words:?}");
     }
 }

@@ -1,5 +1,6 @@
 //! One file for each command. A command returns what it has to say; `main` prints it.
 
+mod bench_plan;
 mod check;
 mod completions;
 mod demo;
@@ -16,6 +17,7 @@ mod run;
 mod schemas;
 mod show;
 
+pub use bench_plan::bench_plan;
 pub use check::check;
 pub use completions::completions;
 pub use demo::demo;

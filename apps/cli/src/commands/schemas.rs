@@ -12,6 +12,7 @@ use crate::exit::Exit;
 use crate::failure::{Failure, FailureReport};
 use crate::output::{Done, FilesAlone, Report};
 use crate::results::in_folder;
+use pairtrawl::model::Bench;
 use schemars::generate::SchemaSettings;
 use schemars::{JsonSchema, Schema};
 use serde_json::json;
@@ -40,6 +41,7 @@ fn all() -> Vec<(String, String)> {
         .chain([
             ("length", of::<LengthReport>()),
             ("monte-carlo", of::<MonteCarloReport>()),
+            ("bench", of::<Bench>()),
         ])
         .map(|(name, schema)| (name.to_owned(), schema));
     let printed = [
@@ -53,6 +55,7 @@ fn all() -> Vec<(String, String)> {
         ("export", of::<Report<FilesAlone>>()),
         ("length", of::<Report<LengthReport>>()),
         ("generate", of::<Report<GenerateReport>>()),
+        ("bench-plan", of::<Report<Bench>>()),
         ("new", of::<Report<FilesAlone>>()),
         ("completions", of::<Report<CompletionsReport>>()),
     ];
