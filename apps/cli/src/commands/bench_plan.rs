@@ -296,7 +296,9 @@ fn bench_text(bench: &Bench) -> String {
                 Some(code) => format!("exit {code}"),
                 None => "ended".to_owned(),
             };
-            let _ = writeln!(text, "{}: {end}: {message}", scene.name);
+            // The rest is in the file and on the page.
+            let first = message.lines().next().unwrap_or_default();
+            let _ = writeln!(text, "{}: {end}: {first}", scene.name);
         }
     }
     text
