@@ -79,8 +79,21 @@ pub(crate) struct Terrain {
 }
 
 impl Terrain {
+    /// Objects that are left are obstacles: there may be no room for a robot behind them.
     pub fn new(world: &World, scene: &Scene) -> Self {
-        Self::sample(scene, |p| world.field.distance(p))
+        let left: Vec<Disc> = (scene.objects.iter())
+            .filter(|object| object.leave)
+            .map(|object| Disc {
+                center: object.position,
+                radius: object.footprint_radius(),
+            })
+            .collect();
+        Self::sample(scene, |p| {
+            let off_left = left
+                .iter()
+                .map(|disc| p.distance(disc.center) - disc.radius);
+            off_left.fold(world.field.distance(p), f64::min)
+        })
     }
 
     /// Samples a signed distance (negative inside obstacles) over the scene's area.
