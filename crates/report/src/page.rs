@@ -35,10 +35,10 @@ pub fn report_html(summary: &Summary) -> String {
     header(&mut w, summary);
     w.open("main", &[]);
     outcome::failures(&mut w, summary);
-    left_out(&mut w, summary);
     warnings(&mut w, summary);
     player(&mut w, summary);
     map_section(&mut w, summary);
+    left_out(&mut w, summary);
     outcome::trials(&mut w, summary);
     w.open(
         "section",
