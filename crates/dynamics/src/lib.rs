@@ -51,13 +51,13 @@ mod manifold;
 mod near;
 mod neighbors;
 mod newton;
-mod obstacle;
 mod order;
 mod outline;
 mod reading;
 mod row;
 mod setup;
 mod sleep;
+mod solid;
 #[cfg(test)]
 mod tests;
 mod touch;
@@ -65,8 +65,8 @@ mod wheels;
 mod world;
 
 pub use chain::NetParameters;
-pub use obstacle::Obstacle;
 pub use setup::{Footprint, ObjectParameters, RobotParameters, Setup, Work};
+pub use solid::Solid;
 pub use touch::{Part, Touch};
 pub use wheels::{Drive, WheelParameters};
 pub use world::World;

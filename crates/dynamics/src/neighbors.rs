@@ -3,8 +3,8 @@
 //! Pairs are looked for with a skin around every shape and stay valid until something has moved by half of it (Verlet, Physical
 //! Review 159, 1967). Things that move are swept along x; what is fixed lies in a grid.
 
-use crate::obstacle::Fixed;
 use crate::outline::{Extent, Outline};
+use crate::solid::Solid;
 use std::collections::BTreeMap;
 
 /// Width of the skin, in units of the machine.
@@ -25,7 +25,7 @@ pub(crate) struct Grid {
 const MANY_CELLS: i64 = 1024;
 
 impl Grid {
-    pub(crate) fn new(shapes: &[Fixed]) -> Self {
+    pub(crate) fn new(shapes: &[Solid]) -> Self {
         let mut grid = Self::default();
         for (index, shape) in shapes.iter().enumerate() {
             let extent = Extent::of(shape.outline(), 0.0);

@@ -1,7 +1,7 @@
 //! What a world is made of, and how much work it was.
 
 use crate::chain::NetParameters;
-use crate::obstacle::Obstacle;
+use crate::solid::Solid;
 use crate::wheels::WheelParameters;
 use pairtrawl_geometry::{Point, Pose};
 
@@ -58,7 +58,7 @@ pub struct Setup {
     /// Objects.
     pub objects: Vec<ObjectParameters>,
     /// Obstacles.
-    pub obstacles: Vec<Obstacle>,
+    pub obstacles: Vec<Solid>,
     /// Coulomb's coefficient between things that touch.
     pub contact_friction: f64,
 }

@@ -1,10 +1,10 @@
 //! The engine against theory.
 
 use crate::{
-    Drive, Footprint, NetParameters, ObjectParameters, Obstacle, RobotParameters, Setup,
+    Drive, Footprint, NetParameters, ObjectParameters, RobotParameters, Setup, Solid,
     WheelParameters, World,
 };
-use pairtrawl_geometry::{Point, Pose};
+use pairtrawl_geometry::{Convex, Point, Pose};
 use std::f64::consts::FRAC_PI_2;
 
 const GRAVITY: f64 = 9.81;
@@ -209,9 +209,9 @@ fn what_is_fast_does_not_pass_through_a_thin_wall() {
     for speed in [1.0, 10.0, 50.0] {
         let mut setup = setup(0.02);
         let wall = [(0.3, 2.9), (0.301, 2.9), (0.301, 3.1), (0.3, 3.1)];
-        setup.obstacles = vec![Obstacle::Polygon(
+        setup.obstacles = vec![Solid::new(Convex::Polygon(
             wall.map(|(x, y)| Point::new(x, y)).to_vec(),
-        )];
+        ))];
         setup.objects = vec![cube(0.0, 3.0)];
         let mut world = World::new(setup);
         world.bodies[2].awake = true;

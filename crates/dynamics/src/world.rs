@@ -7,10 +7,10 @@ use crate::floor::{self, Supports};
 use crate::near::{Mover, Near};
 use crate::neighbors::{Grid, Neighbors, SKIN};
 use crate::newton::System;
-use crate::obstacle::Fixed;
 use crate::order::Order;
 use crate::outline::MovingShape;
 use crate::setup::{Footprint, RobotParameters, Setup, Work};
+use crate::solid::Solid;
 use crate::wheels::{Drive, Wheels};
 use pairtrawl_geometry::Point;
 
@@ -34,7 +34,7 @@ pub struct World {
     pub(crate) shapes: Vec<MovingShape>,
     pub(crate) movers: Vec<Mover>,
     pub(crate) links_within_robot: usize,
-    pub(crate) fixed: Vec<Fixed>,
+    pub(crate) fixed: Vec<Solid>,
     pub(crate) grid: Grid,
     pub(crate) neighbors: Neighbors,
     pub(crate) contact_friction: f64,
@@ -112,7 +112,6 @@ impl World {
             bodies.push(body);
             supports.push(Supports::new(corner, object.floor_limit));
         }
-        let fixed: Vec<Fixed> = obstacles.into_iter().map(Fixed::new).collect();
         let chain = Chain::new(net, nodes);
         let count = objects.len();
         let of_bodies = bodies.iter().enumerate();
@@ -134,8 +133,8 @@ impl World {
             order: Order::default(),
             system: System::default(),
             near: Vec::new(),
-            grid: Grid::new(&fixed),
-            fixed,
+            grid: Grid::new(&obstacles),
+            fixed: obstacles,
             neighbors: Neighbors::default(),
             contact_friction,
             drift: f64::INFINITY,

@@ -1,9 +1,8 @@
 //! The scene in the engine of this project (`pairtrawl-dynamics`).
 
-use crate::obstacles::FixedShape;
 use crate::physics::Physics;
 use crate::{Contact, Parameters, Part, RobotDrive, RobotLoad, RobotState};
-use pairtrawl_dynamics as dynamics;
+use pairtrawl_dynamics::{self as dynamics, Solid};
 use pairtrawl_geometry::{Point, Pose};
 use pairtrawl_model::{BodyCircle, Footprint, Object, Side};
 
@@ -19,7 +18,8 @@ pub(crate) struct ImplicitWorld {
 impl ImplicitWorld {
     pub(crate) fn new(
         parameters: &Parameters,
-        obstacles: &[(Option<usize>, FixedShape)],
+        obstacles: Vec<Option<usize>>,
+        solids: Vec<Solid>,
         objects: &[Object],
         poses: [Pose; 2],
         nodes: Vec<Point>,
@@ -67,7 +67,7 @@ impl ImplicitWorld {
                     floor_limit: physics.object_friction * weight(object.mass),
                 })
                 .collect(),
-            obstacles: obstacles.iter().map(|(_, s)| s.obstacle()).collect(),
+            obstacles: solids,
             contact_friction: physics.contact_friction,
         };
         Self {
@@ -75,7 +75,7 @@ impl ImplicitWorld {
             time_step: parameters.time_step,
             wheel_radius: physics.wheel_radius,
             objects: objects.len(),
-            obstacles: obstacles.iter().map(|(index, _)| *index).collect(),
+            obstacles,
         }
     }
 

@@ -7,9 +7,9 @@
 
 use crate::obstacles::FixedShape;
 use crate::{Base, Parameters, SimulationError};
-use pairtrawl_dynamics::Obstacle;
+use pairtrawl_dynamics::Solid;
 use pairtrawl_geometry::{Point, Pose, Segment};
-use pairtrawl_model::{BodyCircle, Footprint, Scene, Side, Warning};
+use pairtrawl_model::{BodyCircle, Footprint, Object, Scene, Side, Warning};
 use std::f64::consts::FRAC_PI_2;
 
 /// A given start shape may end this far from the hitches, in units of the machine.
@@ -24,11 +24,11 @@ pub(crate) struct NetStart {
 }
 
 /// What a link must not overlap at the start.
-pub(crate) struct Surroundings {
-    /// Obstacles, objects, then the parts of the left robot and those of the right one.
-    shapes: Vec<Obstacle>,
-    /// Number of parts of one robot.
-    robot_parts: usize,
+pub(crate) struct Surroundings<'a> {
+    obstacles: &'a [Solid],
+    objects: Vec<Solid>,
+    /// The parts of the (left, right) robot.
+    robots: [Vec<Solid>; 2],
     /// As many links at each end may lie within the robot that holds them.
     within_body: usize,
     thickness: f64,
@@ -40,7 +40,7 @@ pub(crate) fn lay(
     scene: &Scene,
     parameters: &Parameters,
     robots: [Pose; 2],
-    obstacles: Vec<Obstacle>,
+    obstacles: &[Solid],
 ) -> Result<NetStart, SimulationError> {
     let hitches = robots.map(|pose| pose.position() - pose.forward() * parameters.robot.hitch);
     let net_length = parameters.link_length * parameters.links as f64;
@@ -221,34 +221,30 @@ fn follow(
     Ok(NetStart { nodes, warning })
 }
 
-impl Surroundings {
+impl<'a> Surroundings<'a> {
     fn new(
         scene: &Scene,
         parameters: &Parameters,
         robots: [Pose; 2],
         hitches: [Point; 2],
-        obstacles: Vec<Obstacle>,
+        obstacles: &'a [Solid],
     ) -> Self {
-        let mut shapes = obstacles;
-        for object in &scene.objects {
-            shapes.push(match object.footprint {
-                Footprint::Box(w, d) => FixedShape::Box {
-                    center: object.position,
-                    half: Point::new(0.5 * w, 0.5 * d),
-                    turn: 0.0,
-                }
-                .obstacle(),
-                Footprint::Disc(radius) => Obstacle::Disc {
-                    center: object.position,
-                    radius,
-                },
-            });
-        }
-        let robot_parts = push_robots(&mut shapes, parameters, robots);
+        let object = |object: &Object| match object.footprint {
+            Footprint::Box(w, d) => FixedShape::Box {
+                center: object.position,
+                half: Point::new(0.5 * w, 0.5 * d),
+                turn: 0.0,
+            },
+            Footprint::Disc(radius) => FixedShape::Disc {
+                center: object.position,
+                radius,
+            },
+        };
         Self {
-            robot_parts,
+            obstacles,
+            objects: scene.objects.iter().map(|o| object(o).solid()).collect(),
+            robots: robots.map(|pose| robot_parts(parameters, pose)),
             within_body: parameters.links_within_body(),
-            shapes,
             thickness: parameters.physics.net_thickness,
             hitches,
         }
@@ -259,12 +255,11 @@ impl Surroundings {
         nodes
             .windows(2)
             .enumerate()
-            .filter(|(i, ends)| self.link_overlaps(*i, ends, nodes.len() - 2))
+            .filter(|(i, ends)| self.link_overlaps(*i, [ends[0], ends[1]], nodes.len() - 2))
             .count()
     }
 
-    fn link_overlaps(&self, index: usize, ends: &[Point], last: usize) -> bool {
-        let robots = self.shapes.len() - 2 * self.robot_parts;
+    fn link_overlaps(&self, index: usize, ends: [Point; 2], last: usize) -> bool {
         let within = self.within_body.max(1);
         let at_hitch = |side: Side| {
             let tied = match side {
@@ -273,43 +268,32 @@ impl Surroundings {
             };
             tied || Segment::new(ends[0], ends[1]).distance(self.hitches[side.index()]) < 1e-9
         };
-        let is_part = |i: usize, side: Side| {
-            i.checked_sub(robots)
-                .is_some_and(|part| part / self.robot_parts == side.index())
-        };
-        self.shapes.iter().enumerate().any(|(i, shape)| {
-            !Side::BOTH
+        let meets = |solids: &[Solid]| solids.iter().any(|s| s.meets_link(ends, self.thickness));
+        meets(self.obstacles)
+            || meets(&self.objects)
+            || Side::BOTH
                 .into_iter()
-                .any(|side| is_part(i, side) && at_hitch(side))
-                && shape.meets_link([ends[0], ends[1]], self.thickness)
-        })
+                .any(|side| !at_hitch(side) && meets(&self.robots[side.index()]))
     }
 }
 
-/// Adds the parts of both robots, the left one's first: their bases, or the circles of their bodies. Returns how many parts a
-/// robot has.
-fn push_robots(shapes: &mut Vec<Obstacle>, parameters: &Parameters, robots: [Pose; 2]) -> usize {
+/// The parts of a robot: its base, or the circles of its body.
+fn robot_parts(parameters: &Parameters, pose: Pose) -> Vec<Solid> {
     if let Some(body) = parameters.robot.body {
-        for pose in robots {
-            let ball = |c: &BodyCircle| Obstacle::Disc {
-                center: c.center_at(pose),
-                radius: c.radius,
-            };
-            shapes.extend(body.circles().iter().map(ball));
-        }
-        return body.circles().len();
+        let disc = |c: &BodyCircle| FixedShape::Disc {
+            center: c.center_at(pose),
+            radius: c.radius,
+        };
+        return body.circles().iter().map(|c| disc(c).solid()).collect();
     }
     let Base {
         half_side,
         behind_axle,
     } = parameters.base;
-    for pose in robots {
-        let base = FixedShape::Box {
-            center: pose.position() - pose.forward() * behind_axle,
-            half: Point::new(half_side, half_side),
-            turn: pose.heading,
-        };
-        shapes.push(base.obstacle());
-    }
-    1
+    let base = FixedShape::Box {
+        center: pose.position() - pose.forward() * behind_axle,
+        half: Point::new(half_side, half_side),
+        turn: pose.heading,
+    };
+    vec![base.solid()]
 }

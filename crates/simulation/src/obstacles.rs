@@ -1,7 +1,8 @@
 //! Fixed obstacles: boxes, discs, polygons in convex pieces, and the blocked cells of a map merged into rectangles.
 
 use crate::SimulationError;
-use pairtrawl_geometry::{Point, Polygon};
+use pairtrawl_dynamics::Solid;
+use pairtrawl_geometry::{Convex, Point, Polygon};
 use pairtrawl_model::{Obstacle, OccupancyMap, Scene};
 
 /// Blocked cells farther than this from every free cell cannot be touched, in cells.
@@ -27,26 +28,26 @@ pub(crate) enum FixedShape {
 
 impl FixedShape {
     /// The same for the engine of this project.
-    pub(crate) fn obstacle(&self) -> pairtrawl_dynamics::Obstacle {
-        match self {
+    pub(crate) fn solid(&self) -> Solid {
+        Solid::new(match self {
             Self::Box { center, half, turn } => {
                 let (x, y) = (
                     Point::unit(*turn) * half.x,
                     Point::unit(*turn).perp() * half.y,
                 );
-                pairtrawl_dynamics::Obstacle::Polygon(vec![
+                Convex::Polygon(vec![
                     *center - x - y,
                     *center + x - y,
                     *center + x + y,
                     *center - x + y,
                 ])
             }
-            Self::Disc { center, radius } => pairtrawl_dynamics::Obstacle::Disc {
+            Self::Disc { center, radius } => Convex::Circle {
                 center: *center,
                 radius: *radius,
             },
-            Self::Convex(vertices) => pairtrawl_dynamics::Obstacle::Polygon(vertices.clone()),
-        }
+            Self::Convex(vertices) => Convex::Polygon(vertices.clone()),
+        })
     }
 }
 

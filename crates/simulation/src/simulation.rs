@@ -47,20 +47,23 @@ impl Simulation {
         let in_si = |error: SimulationError| error.in_si(&units);
         let inner = Parameters::new(scene, net_length, &options.in_units(&units)).map_err(in_si)?;
         let fixed = obstacles::shapes(scene).map_err(in_si)?;
-        let around = fixed.iter().map(|(_, shape)| shape.obstacle()).collect();
+        let (pieces, solids): (Vec<_>, Vec<_>) = (fixed.iter())
+            .map(|(obstacle, shape)| (*obstacle, shape.solid()))
+            .unzip();
         let poses = [start.left, start.right].map(|pose| units.pose(pose));
-        let laid = net_start::lay(scene, &inner, poses, around).map_err(in_si)?;
+        let laid = net_start::lay(scene, &inner, poses, &solids).map_err(in_si)?;
         let world: Box<dyn Physics> = match options.engine {
             Engine::Implicit => Box::new(ImplicitWorld::new(
                 &inner,
-                &fixed,
+                pieces,
+                solids,
                 &scene.objects,
                 poses,
                 laid.nodes,
             )),
             #[cfg(feature = "rapier")]
             Engine::Rapier(solver) => Box::new(
-                crate::rapier::RapierWorld::new(scene, &inner, solver, poses, &laid.nodes)
+                crate::rapier::RapierWorld::new(scene, &inner, fixed, solver, poses, &laid.nodes)
                     .map_err(in_si)?,
             ),
         };

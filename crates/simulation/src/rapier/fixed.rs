@@ -3,13 +3,16 @@
 use super::settings::vector;
 use super::tag;
 use crate::SimulationError;
-use crate::obstacles::{FixedShape, shapes};
-use pairtrawl_model::Scene;
+use crate::obstacles::FixedShape;
 use rapier2d_f64::prelude::{ColliderBuilder, PhysicsWorld};
 
-/// Inserts every obstacle of the scene.
-pub(crate) fn insert(world: &mut PhysicsWorld, scene: &Scene) -> Result<(), SimulationError> {
-    for (index, shape) in shapes(scene)? {
+/// Inserts the pieces of the obstacles, each with its obstacle's index in the scene (`None`: the map's).
+pub(crate) fn insert(
+    world: &mut PhysicsWorld,
+    pieces: Vec<(Option<usize>, FixedShape)>,
+    friction: f64,
+) -> Result<(), SimulationError> {
+    for (index, shape) in pieces {
         let collider = match shape {
             FixedShape::Box { center, half, turn } => ColliderBuilder::cuboid(half.x, half.y)
                 .translation(vector(center))
@@ -25,11 +28,9 @@ pub(crate) fn insert(world: &mut PhysicsWorld, scene: &Scene) -> Result<(), Simu
                     .ok_or(broken)?
             }
         };
-        world.colliders.insert(
-            collider
-                .friction(scene.physics.contact_friction)
-                .user_data(tag::obstacle(index)),
-        );
+        world
+            .colliders
+            .insert(collider.friction(friction).user_data(tag::obstacle(index)));
     }
     Ok(())
 }

@@ -12,6 +12,7 @@ mod tag;
 #[cfg(test)]
 mod theory_tests;
 
+use crate::obstacles::FixedShape;
 use crate::physics::Physics;
 use crate::{
     Contact, Parameters, RapierSolver, RobotDrive, RobotLoad, RobotState, SimulationError,
@@ -39,12 +40,13 @@ impl RapierWorld {
     pub(crate) fn new(
         scene: &Scene,
         parameters: &Parameters,
+        obstacles: Vec<(Option<usize>, FixedShape)>,
         solver: RapierSolver,
         poses: [Pose; 2],
         nodes: &[Point],
     ) -> Result<Self, SimulationError> {
         let mut world = settings::new_world(parameters, solver);
-        fixed::insert(&mut world, scene)?;
+        fixed::insert(&mut world, obstacles, parameters.physics.contact_friction)?;
         let robots = Side::BOTH.map(|side| {
             RobotBody::insert(
                 &mut world,
