@@ -168,8 +168,8 @@ impl World {
         impulse: &mut [Point; 2],
     ) {
         let mut reach = 1e-3 + 2.5 * dt * self.greatest_speed();
+        self.place_shapes();
         loop {
-            self.place_shapes();
             if self.drift + self.drift + reach > SKIN {
                 self.find_neighbors();
             }
