@@ -72,13 +72,7 @@ fn corner_to_corner(a: Point, b: Point, radius_a: f64, radius_b: f64, reach: f64
 
 fn polygon_and_disc(a: Outline<'_>, b: Outline<'_>, reach: f64) -> Manifold {
     let center = b.points[0];
-    let (mut edge, mut separation) = (0, f64::NEG_INFINITY);
-    for (i, (p, n)) in a.points.iter().zip(a.normals).enumerate() {
-        let s = n.dot(center - *p);
-        if s > separation {
-            (edge, separation) = (i, s);
-        }
-    }
+    let (edge, separation) = farthest_edge(a, b);
     if separation - a.radius - b.radius > reach {
         return Manifold::NONE;
     }
@@ -180,43 +174,24 @@ fn clip(
         ..Manifold::NONE
     };
     let (first, second) = (low.max(0.0), high.min(high_a));
-    if second < first - TOUCHING {
+    let ends: &[f64] = if second < first - TOUCHING {
         // The edges pass each other: the nearest corner of B is what touches.
-        let q = at(0.5 * (first + second));
-        push(
-            &mut manifold,
-            q,
-            (q - a[0]).dot(normal),
-            radius_a,
-            radius_b,
-            reach,
-        );
-        return manifold;
-    }
-    for t in [first, second] {
+        &[0.5 * (first + second)]
+    } else if second - first <= TOUCHING {
+        &[first]
+    } else {
+        &[first, second]
+    };
+    for &t in ends {
         let q = at(t);
-        push(
-            &mut manifold,
-            q,
-            (q - a[0]).dot(normal),
-            radius_a,
-            radius_b,
-            reach,
-        );
-        if second - first <= TOUCHING {
-            break;
+        let separation = (q - a[0]).dot(normal) - radius_a - radius_b;
+        if separation <= reach {
+            let place = q - normal * (radius_b + 0.5 * separation);
+            manifold.points[manifold.count] = (place, separation);
+            manifold.count += 1;
         }
     }
     manifold
-}
-
-fn push(m: &mut Manifold, q: Point, distance: f64, radius_a: f64, radius_b: f64, reach: f64) {
-    let separation = distance - radius_a - radius_b;
-    if separation <= reach {
-        let place = q - m.normal * (radius_b + 0.5 * separation);
-        m.points[m.count] = (place, separation);
-        m.count += 1;
-    }
 }
 
 /// Where on two segments (fractions) they are nearest to each other, for segments that do not cross.
