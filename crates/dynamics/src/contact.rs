@@ -58,7 +58,7 @@ enum State {
 }
 
 /// The second partner of a contact.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(crate) enum Other {
     /// Something that moves.
     Moving(usize),

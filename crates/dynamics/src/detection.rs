@@ -84,18 +84,13 @@ impl World {
                 }
             }
         }
-        let mut ties = [0; 4];
         for (a, b, ..) in &pairs {
-            let mut count = self.parts_of(*a, &mut ties);
+            // The two ends of a link are tied already.
             if let Other::Moving(b) = b {
-                let mut more = [0; 4];
-                let added = self.parts_of(*b, &mut more);
-                ties[count..count + added].copy_from_slice(&more[..added]);
-                count += added;
-            }
-            for i in 0..count {
-                for j in 0..i {
-                    self.order.tie(ties[i], ties[j]);
+                for first in self.parts_of(*a) {
+                    for second in self.parts_of(*b) {
+                        self.order.tie(first, second);
+                    }
                 }
             }
         }
@@ -142,18 +137,11 @@ impl World {
         }
     }
 
-    /// The parts that the motion of a moving thing depends on; how many.
-    fn parts_of(&self, moving: usize, parts: &mut [usize; 4]) -> usize {
+    /// The parts that the motion of a moving thing depends on: twice the same for a body.
+    fn parts_of(&self, moving: usize) -> [usize; 2] {
         match self.movers[moving] {
-            Mover::Body(body) => {
-                parts[0] = body;
-                1
-            }
-            Mover::Link(link) => {
-                parts[0] = self.part(link);
-                parts[1] = self.part(link + 1);
-                2
-            }
+            Mover::Body(body) => [body, body],
+            Mover::Link(link) => [self.part(link), self.part(link + 1)],
         }
     }
 
