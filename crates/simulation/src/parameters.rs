@@ -131,6 +131,12 @@ impl Parameters {
         ((deepest / self.link_length).ceil() as usize).min(self.links)
     }
 
+    /// Tells whether a link of the net, counted from the left, is one of [`Self::links_within_body`] at either end.
+    pub fn is_within_body(&self) -> impl Fn(usize) -> bool + use<> {
+        let (within, links) = (self.links_within_body(), self.links);
+        move |link| link < within || link + within >= links
+    }
+
     /// Greatest force that the tires of one robot can pass to the floor in one direction: mu m g, N.
     pub fn traction(&self) -> f64 {
         self.physics.wheel_friction * self.physics.robot_mass * self.physics.gravity

@@ -280,12 +280,12 @@ fn write_net(out: &mut String, layout: &Layout) -> Written {
         physics.net_thickness,
         physics.net_height,
     ];
+    let is_within_body = parameters.is_within_body();
     for (i, place) in layout.links.iter().enumerate() {
         let inertia = inertial(parameters.link_mass, size, Point::ZERO);
         let placed = pose(*place, 0.5 * physics.net_height);
         let shape = box_geometry(size[0], size[1], size[2]);
-        let within = parameters.links_within_body();
-        let mask = (i < within || i + within >= layout.links.len()).then_some(WITHIN_MASK);
+        let mask = is_within_body(i).then_some(WITHIN_MASK);
         writeln!(
             out,
             "{}",

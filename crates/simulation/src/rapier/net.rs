@@ -36,6 +36,7 @@ impl Net {
         let inertia = mass
             * vector(Point::new(parameters.link_length, physics.net_thickness)).length_squared()
             / 12.0;
+        let is_within_body = parameters.is_within_body();
         let links: Vec<_> = nodes
             .windows(2)
             .enumerate()
@@ -50,8 +51,7 @@ impl Net {
                         inertia,
                     ))
                     .can_sleep(false);
-                let within = parameters.links_within_body();
-                let touches = if i < within || i + within >= nodes.len() - 1 {
+                let touches = if is_within_body(i) {
                     Group::ALL.difference(ROBOTS)
                 } else {
                     Group::ALL
