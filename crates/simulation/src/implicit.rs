@@ -4,7 +4,7 @@ use crate::physics::Physics;
 use crate::{Contact, Parameters, Part, RobotDrive, RobotLoad, RobotState};
 use pairtrawl_dynamics::{self as dynamics, Solid};
 use pairtrawl_geometry::{Point, Pose};
-use pairtrawl_model::{BodyCircle, Footprint, Object, Side};
+use pairtrawl_model::{Footprint, Object, Side};
 
 pub(crate) struct ImplicitWorld {
     world: dynamics::World,
@@ -41,7 +41,9 @@ impl ImplicitWorld {
                 },
                 hitch: parameters.robot.hitch,
             },
-            robot_outline: outline(parameters),
+            robot_outline: (parameters.outline().into_iter())
+                .map(|(center, part)| (center, footprint(part)))
+                .collect(),
             links_within_robot: parameters.links_within_body(),
             poses,
             net: dynamics::NetParameters {
@@ -57,12 +59,7 @@ impl ImplicitWorld {
                 .iter()
                 .map(|object| dynamics::ObjectParameters {
                     place: object.position,
-                    footprint: match object.footprint {
-                        Footprint::Box(w, d) => {
-                            dynamics::Footprint::Box(Point::new(0.5 * w, 0.5 * d))
-                        }
-                        Footprint::Disc(r) => dynamics::Footprint::Disc(r),
-                    },
+                    footprint: footprint(object.footprint),
                     mass: object.mass,
                     floor_limit: physics.object_friction * weight(object.mass),
                 })
@@ -89,16 +86,12 @@ impl ImplicitWorld {
     }
 }
 
-/// What a robot touches with: the circles of its body, or its base.
-fn outline(parameters: &Parameters) -> Vec<(Point, dynamics::Footprint)> {
-    let Some(body) = parameters.robot.body else {
-        let base = parameters.base;
-        let half = Point::new(base.half_side, base.half_side);
-        let center = Point::new(-base.behind_axle, 0.0);
-        return vec![(center, dynamics::Footprint::Box(half))];
-    };
-    let disc = |circle: &BodyCircle| (circle.center, dynamics::Footprint::Disc(circle.radius));
-    body.circles().iter().map(disc).collect()
+/// The same for the engine.
+fn footprint(footprint: Footprint) -> dynamics::Footprint {
+    match footprint {
+        Footprint::Box(w, d) => dynamics::Footprint::Box(Point::new(0.5 * w, 0.5 * d)),
+        Footprint::Disc(r) => dynamics::Footprint::Disc(r),
+    }
 }
 
 impl Physics for ImplicitWorld {

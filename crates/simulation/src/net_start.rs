@@ -6,10 +6,10 @@
 //! up and down like an accordion, k links each way, with the slope for which it spans the gap.
 
 use crate::obstacles::FixedShape;
-use crate::{Base, Parameters, SimulationError};
+use crate::{Parameters, SimulationError};
 use pairtrawl_dynamics::Solid;
 use pairtrawl_geometry::{Point, Pose, Segment};
-use pairtrawl_model::{BodyCircle, Footprint, Object, Scene, Side, Warning};
+use pairtrawl_model::{Footprint, Object, Scene, Side, Warning};
 use std::f64::consts::FRAC_PI_2;
 
 /// A given start shape may end this far from the hitches, in units of the machine.
@@ -229,20 +229,12 @@ impl<'a> Surroundings<'a> {
         hitches: [Point; 2],
         obstacles: &'a [Solid],
     ) -> Self {
-        let object = |object: &Object| match object.footprint {
-            Footprint::Box(w, d) => FixedShape::Box {
-                center: object.position,
-                half: Point::new(0.5 * w, 0.5 * d),
-                turn: 0.0,
-            },
-            Footprint::Disc(radius) => FixedShape::Disc {
-                center: object.position,
-                radius,
-            },
+        let object = |object: &Object| {
+            FixedShape::of(object.footprint, Pose::at(object.position, 0.0)).solid()
         };
         Self {
             obstacles,
-            objects: scene.objects.iter().map(|o| object(o).solid()).collect(),
+            objects: scene.objects.iter().map(object).collect(),
             robots: robots.map(|pose| robot_parts(parameters, pose)),
             within_body: parameters.links_within_body(),
             thickness: parameters.physics.net_thickness,
@@ -277,23 +269,12 @@ impl<'a> Surroundings<'a> {
     }
 }
 
-/// The parts of a robot: its base, or the circles of its body.
+/// The parts of a robot at a pose.
 fn robot_parts(parameters: &Parameters, pose: Pose) -> Vec<Solid> {
-    if let Some(body) = parameters.robot.body {
-        let disc = |c: &BodyCircle| FixedShape::Disc {
-            center: c.center_at(pose),
-            radius: c.radius,
-        };
-        return body.circles().iter().map(|c| disc(c).solid()).collect();
-    }
-    let Base {
-        half_side,
-        behind_axle,
-    } = parameters.base;
-    let base = FixedShape::Box {
-        center: pose.position() - pose.forward() * behind_axle,
-        half: Point::new(half_side, half_side),
-        turn: pose.heading,
+    let (forward, left) = (pose.forward(), pose.forward().perp());
+    let part = |(center, footprint): (Point, Footprint)| {
+        let place = pose.position() + forward * center.x + left * center.y;
+        FixedShape::of(footprint, Pose::at(place, pose.heading)).solid()
     };
-    vec![base.solid()]
+    parameters.outline().into_iter().map(part).collect()
 }

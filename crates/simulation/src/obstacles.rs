@@ -2,8 +2,8 @@
 
 use crate::SimulationError;
 use pairtrawl_dynamics::Solid;
-use pairtrawl_geometry::{Convex, Point, Polygon};
-use pairtrawl_model::{Obstacle, OccupancyMap, Scene};
+use pairtrawl_geometry::{Convex, Point, Polygon, Pose};
+use pairtrawl_model::{Footprint, Obstacle, OccupancyMap, Scene};
 
 /// Blocked cells farther than this from every free cell cannot be touched, in cells.
 const SKIN: i64 = 2;
@@ -27,6 +27,19 @@ pub(crate) enum FixedShape {
 }
 
 impl FixedShape {
+    /// A footprint whose center and axes are those of a pose.
+    pub(crate) fn of(footprint: Footprint, pose: Pose) -> Self {
+        let center = pose.position();
+        match footprint {
+            Footprint::Box(w, d) => Self::Box {
+                center,
+                half: Point::new(0.5 * w, 0.5 * d),
+                turn: pose.heading,
+            },
+            Footprint::Disc(radius) => Self::Disc { center, radius },
+        }
+    }
+
     /// The same for the engine of this project.
     pub(crate) fn solid(&self) -> Solid {
         Solid::new(match self {
@@ -191,7 +204,6 @@ pub(crate) fn map_rectangles(map: &OccupancyMap) -> Vec<CellRectangle> {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use pairtrawl_geometry::Pose;
 
     #[test]
     fn rectangles_cover_the_blocked_cells_once_and_nothing_free() {

@@ -120,6 +120,18 @@ impl Parameters {
         })
     }
 
+    /// What a robot touches with: the circles of its body, or its base. Centers in the robot's frame (x forward, origin on the
+    /// axle), m, and footprints.
+    pub fn outline(&self) -> Vec<(Point, Footprint)> {
+        let Some(body) = self.robot.body else {
+            let side = 2.0 * self.base.half_side;
+            let center = Point::new(-self.base.behind_axle, 0.0);
+            return vec![(center, Footprint::Box(side, side))];
+        };
+        let disc = |c: &BodyCircle| (c.center, Footprint::Disc(c.radius));
+        body.circles().iter().map(disc).collect()
+    }
+
     /// How many links at each end of the net lie within the robot's body when the net trails behind it, because the hitch is
     /// that deep inside: the circles of a body contain more than the machine, and the net is tied outside of it. They do not
     /// touch robots.

@@ -10,7 +10,7 @@ use super::servo;
 use super::settings::{pose_of, vector, velocity_at, world_point};
 use crate::{Parameters, RobotDrive, RobotLoad, RobotState};
 use pairtrawl_geometry::{Point, Pose};
-use pairtrawl_model::BodyCircle;
+use pairtrawl_model::Footprint;
 use rapier2d_f64::prelude::{
     ColliderBuilder, Group, InteractionGroups, InteractionTestMode, MassProperties, PhysicsWorld,
     RigidBodyBuilder, RigidBodyHandle,
@@ -27,23 +27,7 @@ pub(crate) struct RobotBody {
     pub(crate) last: RobotLoad,
 }
 
-/// What a robot touches with: the circles of its body, or its base.
-fn outline(parameters: &Parameters) -> Vec<ColliderBuilder> {
-    let Some(body) = parameters.robot.body else {
-        let base = parameters.base;
-        let square = ColliderBuilder::cuboid(base.half_side, base.half_side);
-        return vec![square.translation(vector(Point::new(-base.behind_axle, 0.0)))];
-    };
-    let own = InteractionGroups::new(ROBOTS, Group::ALL, InteractionTestMode::And);
-    let ball = |circle: &BodyCircle| {
-        ColliderBuilder::ball(circle.radius)
-            .translation(vector(circle.center))
-            .collision_groups(own)
-    };
-    body.circles().iter().map(ball).collect()
-}
-
-/// The group of robots with a body, which links of the net within it do not touch.
+/// The group of the robots, which links of the net within their bodies do not touch.
 pub(crate) const ROBOTS: Group = Group::GROUP_1;
 
 impl RobotBody {
@@ -65,8 +49,15 @@ impl RobotBody {
             ))
             .can_sleep(false);
         let handle = world.insert_body(body);
-        for collider in outline(parameters) {
+        let groups = InteractionGroups::new(ROBOTS, Group::ALL, InteractionTestMode::And);
+        for (center, footprint) in parameters.outline() {
+            let collider = match footprint {
+                Footprint::Box(w, d) => ColliderBuilder::cuboid(0.5 * w, 0.5 * d),
+                Footprint::Disc(radius) => ColliderBuilder::ball(radius),
+            };
             let collider = collider
+                .translation(vector(center))
+                .collision_groups(groups)
                 .density(0.0)
                 .friction(physics.contact_friction)
                 .user_data(tag);
