@@ -3,8 +3,9 @@
 //! Pairs are looked for with a skin around every shape and stay valid until something has moved by half of it (Verlet, Physical
 //! Review 159, 1967). Things that move are swept along x; what is fixed lies in a grid.
 
-use crate::outline::{Extent, Outline};
+use crate::outline::Outline;
 use crate::solid::Solid;
+use pairtrawl_geometry::Bounds;
 use std::collections::BTreeMap;
 
 /// Width of the skin, in units of the machine.
@@ -16,7 +17,7 @@ const CELL: f64 = 0.5;
 #[derive(Clone, Debug, Default)]
 pub(crate) struct Grid {
     cells: BTreeMap<(i64, i64), Vec<usize>>,
-    extents: Vec<Extent>,
+    boxes: Vec<Bounds>,
     /// Larger than many cells: looked at always.
     large: Vec<usize>,
 }
@@ -28,9 +29,9 @@ impl Grid {
     pub(crate) fn new(shapes: &[Solid]) -> Self {
         let mut grid = Self::default();
         for (index, shape) in shapes.iter().enumerate() {
-            let extent = Extent::of(shape.outline(), 0.0);
-            grid.extents.push(extent);
-            let [(x0, y0), (x1, y1)] = cells(&extent);
+            let bounds = shape.outline().bounds(0.0);
+            grid.boxes.push(bounds);
+            let [(x0, y0), (x1, y1)] = cells(&bounds);
             if (x1 - x0 + 1).saturating_mul(y1 - y0 + 1) > MANY_CELLS {
                 grid.large.push(index);
                 continue;
@@ -44,15 +45,15 @@ impl Grid {
         grid
     }
 
-    /// Adds the shapes whose extent meets this one, in ascending order.
-    fn find(&self, extent: &Extent, found: &mut Vec<usize>) {
+    /// Adds the shapes whose bounds meet these, in ascending order.
+    fn find(&self, bounds: &Bounds, found: &mut Vec<usize>) {
         found.clear();
-        if self.extents.is_empty() {
+        if self.boxes.is_empty() {
             return;
         }
-        let meets = |index: &&usize| self.extents[**index].meets(extent);
+        let meets = |index: &&usize| self.boxes[**index].meets(bounds);
         found.extend(self.large.iter().filter(meets));
-        let [(x0, y0), (x1, y1)] = cells(extent);
+        let [(x0, y0), (x1, y1)] = cells(bounds);
         for x in x0..=x1 {
             for y in y0..=y1 {
                 if let Some(cell) = self.cells.get(&(x, y)) {
@@ -65,8 +66,8 @@ impl Grid {
     }
 }
 
-fn cells(extent: &Extent) -> [(i64, i64); 2] {
-    [extent.min, extent.max].map(|p| ((p.x / CELL).floor() as i64, (p.y / CELL).floor() as i64))
+fn cells(bounds: &Bounds) -> [(i64, i64); 2] {
+    [bounds.min, bounds.max].map(|p| ((p.x / CELL).floor() as i64, (p.y / CELL).floor() as i64))
 }
 
 /// Pairs that are near each other.
@@ -76,7 +77,7 @@ pub(crate) struct Neighbors {
     pub(crate) moving: Vec<(usize, usize)>,
     /// Of a thing that moves and a fixed shape.
     pub(crate) fixed: Vec<(usize, usize)>,
-    extents: Vec<(usize, Extent)>,
+    boxes: Vec<(usize, Bounds)>,
     found: Vec<usize>,
 }
 
@@ -90,23 +91,23 @@ impl Neighbors {
     ) {
         self.moving.clear();
         self.fixed.clear();
-        self.extents.clear();
-        self.extents
-            .extend(shapes.map(|(index, outline)| (index, Extent::of(outline, 0.5 * SKIN))));
-        for (index, extent) in &self.extents {
-            grid.find(extent, &mut self.found);
+        self.boxes.clear();
+        self.boxes
+            .extend(shapes.map(|(index, outline)| (index, outline.bounds(0.5 * SKIN))));
+        for (index, bounds) in &self.boxes {
+            grid.find(bounds, &mut self.found);
             self.fixed
                 .extend(self.found.iter().map(|&shape| (*index, shape)));
         }
-        self.extents
+        self.boxes
             .sort_unstable_by(|a, b| a.1.min.x.total_cmp(&b.1.min.x).then(a.0.cmp(&b.0)));
-        for (k, (a, extent)) in self.extents.iter().enumerate() {
-            for (b, other) in &self.extents[k + 1..] {
-                if other.min.x > extent.max.x {
+        for (k, (a, bounds)) in self.boxes.iter().enumerate() {
+            for (b, other) in &self.boxes[k + 1..] {
+                if other.min.x > bounds.max.x {
                     break;
                 }
                 let pair = (*a.min(b), *a.max(b));
-                if extent.meets(other) && !apart(pair.0, pair.1) {
+                if bounds.meets(other) && !apart(pair.0, pair.1) {
                     self.moving.push(pair);
                 }
             }

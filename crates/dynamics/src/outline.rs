@@ -1,7 +1,7 @@
 //! Shapes that can touch: convex polygons with rounded edges. A disc is a rounded point, a link of the net a rounded segment,
 //! a box or an obstacle a polygon of radius zero.
 
-use pairtrawl_geometry::Point;
+use pairtrawl_geometry::{Bounds, Point};
 
 /// A rounded convex polygon at its place in the map frame: all points within `radius` of the hull of `points`.
 #[derive(Clone, Copy, Debug)]
@@ -14,12 +14,19 @@ pub(crate) struct Outline<'a> {
     pub(crate) radius: f64,
 }
 
+impl Outline<'_> {
+    /// The bounding box with `margin` (m) around.
+    pub(crate) fn bounds(&self, margin: f64) -> Bounds {
+        Bounds::of(self.points).grown(self.radius + margin)
+    }
+}
+
 /// Outward unit normals of the edges of a counter-clockwise polygon.
 pub(crate) fn edge_normals(points: &[Point]) -> Vec<Point> {
     (0..points.len())
         .map(|i| {
             let edge = points[(i + 1) % points.len()] - points[i];
-            Point::new(edge.y, -edge.x) / edge.norm().max(f64::MIN_POSITIVE)
+            -edge.perp() / edge.norm().max(f64::MIN_POSITIVE)
         })
         .collect()
 }
@@ -70,7 +77,7 @@ impl MovingShape {
     /// The points within `radius` of the segment from `a` to `b`.
     pub(crate) fn segment(a: Point, b: Point, radius: f64) -> Self {
         let along = b - a;
-        let normal = Point::new(along.y, -along.x) / along.norm().max(f64::MIN_POSITIVE);
+        let normal = -along.perp() / along.norm().max(f64::MIN_POSITIVE);
         let mut shape = Self::disc(a, radius);
         shape.points[0] = a;
         shape.points[1] = b;
@@ -105,36 +112,5 @@ impl MovingShape {
             .map(|p| p.norm())
             .fold(0.0, f64::max);
         farthest + self.radius
-    }
-}
-
-/// An axis-aligned box.
-#[derive(Clone, Copy, Debug)]
-pub(crate) struct Extent {
-    pub(crate) min: Point,
-    pub(crate) max: Point,
-}
-
-impl Extent {
-    /// Of a shape with `margin` around.
-    pub(crate) fn of(outline: Outline<'_>, margin: f64) -> Self {
-        let (mut min, mut max) = (outline.points[0], outline.points[0]);
-        for p in &outline.points[1..] {
-            min = Point::new(min.x.min(p.x), min.y.min(p.y));
-            max = Point::new(max.x.max(p.x), max.y.max(p.y));
-        }
-        let grow = outline.radius + margin;
-        let grow = Point::new(grow, grow);
-        Self {
-            min: min - grow,
-            max: max + grow,
-        }
-    }
-
-    pub(crate) fn meets(&self, other: &Self) -> bool {
-        self.min.x <= other.max.x
-            && other.min.x <= self.max.x
-            && self.min.y <= other.max.y
-            && other.min.y <= self.max.y
     }
 }

@@ -4,7 +4,7 @@
 //! greatest displacements of all steps says when.
 
 use crate::world::World;
-use pairtrawl_geometry::Point;
+use pairtrawl_geometry::{Point, Segment};
 
 /// An object wakes when something that moves comes this near to its footprint circle, in units of the machine.
 const WAKE_DISTANCE: f64 = 0.03;
@@ -79,8 +79,7 @@ fn distance_to_polyline(p: Point, polyline: &[Point]) -> f64 {
     polyline
         .windows(2)
         .map(|ends| {
-            let along = ends[1] - ends[0];
-            let t = ((p - ends[0]).dot(along) / along.norm_squared()).clamp(0.0, 1.0);
+            let t = Segment::new(ends[0], ends[1]).nearest_parameter(p);
             (p - ends[0].lerp(ends[1], t)).norm_squared()
         })
         .fold(f64::INFINITY, f64::min)

@@ -1,7 +1,7 @@
 //! What is fixed.
 
 use crate::manifold;
-use crate::outline::{Extent, MovingShape, Outline, edge_normals};
+use crate::outline::{MovingShape, Outline, edge_normals};
 use pairtrawl_geometry::{Convex, Point};
 
 /// Something fixed and convex, ready for contact.
@@ -32,7 +32,10 @@ impl Solid {
     /// True when a link of the net between two places overlaps it; `thickness` is the net's, m.
     pub fn meets_link(&self, ends: [Point; 2], thickness: f64) -> bool {
         let link = MovingShape::segment(ends[0], ends[1], 0.5 * thickness);
-        let near = Extent::of(link.outline(), 0.0).meets(&Extent::of(self.outline(), 0.0));
+        let near = link
+            .outline()
+            .bounds(0.0)
+            .meets(&self.outline().bounds(0.0));
         near && manifold::between(link.outline(), self.outline(), 0.0).count > 0
     }
 

@@ -46,6 +46,14 @@ impl Bounds {
         self.min.x <= p.x && p.x <= self.max.x && self.min.y <= p.y && p.y <= self.max.y
     }
 
+    /// True when the closed boxes have a point in common.
+    pub fn meets(&self, other: &Self) -> bool {
+        self.min.x <= other.max.x
+            && other.min.x <= self.max.x
+            && self.min.y <= other.max.y
+            && other.min.y <= self.max.y
+    }
+
     /// Distance between two boxes, 0 when they meet: a lower bound of the distance of what they contain.
     pub fn distance(&self, other: &Self) -> f64 {
         let dx = (other.min.x - self.max.x)

@@ -42,7 +42,7 @@ pub(crate) fn lay(
     robots: [Pose; 2],
     obstacles: &[Solid],
 ) -> Result<NetStart, SimulationError> {
-    let hitches = robots.map(|pose| pose.position() - pose.forward() * parameters.robot.hitch);
+    let hitches = robots.map(|pose| pose.hitch_point(parameters.robot.hitch));
     let net_length = parameters.link_length * parameters.links as f64;
     let gap = (hitches[1] - hitches[0]).norm();
     if gap > net_length * (1.0 + 1e-9) {

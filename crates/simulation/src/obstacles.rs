@@ -252,11 +252,7 @@ mod tests {
             assert!(pieces.len() >= 2);
             let area: f64 = pieces
                 .iter()
-                .map(|p| {
-                    (0..p.len())
-                        .map(|i| 0.5 * p[i].cross(p[(i + 1) % p.len()]))
-                        .sum::<f64>()
-                })
+                .map(|piece| Polygon::new(piece.clone()).signed_area())
                 .sum();
             assert!((area - 4.0).abs() < 1e-12, "{area}");
         }

@@ -143,7 +143,7 @@ impl RobotBody {
 
     /// Where the net is tied.
     pub(crate) fn hitch(&self, parameters: &Parameters) -> Point {
-        self.state.pose.position() - Point::unit(self.state.pose.heading) * parameters.robot.hitch
+        self.state.pose.hitch_point(parameters.robot.hitch)
     }
 
     /// Kinetic energy and energy of the tires, J.
