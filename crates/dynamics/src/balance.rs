@@ -18,9 +18,6 @@ impl World {
         let mut system = std::mem::take(&mut self.system);
         self.fill(&mut system, dt);
         self.work.steps += 1;
-        self.work.unknowns += system.u.len() as u64;
-        self.work.entries += system.linear.stored() as u64;
-        self.work.contacts += self.contacts.len() as u64;
         let world = &mut *self;
         let outcome = system.solve(&mut Balance { world, dt, drives }, dt);
         self.work.systems += outcome.systems;

@@ -48,6 +48,11 @@ impl Body {
         }
     }
 
+    /// The x axis of its frame.
+    pub(crate) fn axis(&self) -> Point {
+        Point::unit(self.heading)
+    }
+
     /// From the center of mass to the hitch at the middle of a step, as the last step foresees it.
     pub(crate) fn hitch_arm(&self, dt: f64) -> Point {
         Point::unit(self.heading + 0.5 * dt * self.spin) * -self.hitch
@@ -55,7 +60,7 @@ impl Body {
 
     /// Where the net is tied.
     pub(crate) fn hitch_place(&self) -> Point {
-        self.place - Point::unit(self.heading) * self.hitch
+        self.place - self.axis() * self.hitch
     }
 
     pub(crate) fn energy(&self) -> f64 {

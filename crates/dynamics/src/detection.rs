@@ -1,7 +1,6 @@
 //! Where things touch in a step, and which unknowns that ties together.
 
 use crate::contact::{ContactTerm, Other};
-use crate::floor;
 use crate::manifold;
 use crate::near::Mover;
 use crate::outline::MovingShape;
@@ -15,7 +14,7 @@ impl World {
         let radius = 0.5 * self.chain.parameters.thickness;
         let mut shapes = self.shapes.iter_mut();
         for (part, body) in self.bodies.iter().enumerate() {
-            let axis = floor::axis(body);
+            let axis = body.axis();
             for (own, shape) in body.shapes.iter().zip(shapes.by_ref()) {
                 if body.awake {
                     *shape = own.placed(body.place, axis);
@@ -50,7 +49,6 @@ impl World {
         };
         self.neighbors.update(moving, &self.grid, apart);
         self.drift = 0.0;
-        self.work.searches += 1;
     }
 
     /// Finds the contacts within `reach` (m), and the order of the unknowns that they tie together.

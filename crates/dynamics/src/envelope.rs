@@ -39,11 +39,6 @@ impl Envelope {
         self.first.len()
     }
 
-    /// How many entries are stored.
-    pub(crate) fn stored(&self) -> usize {
-        self.values.len()
-    }
-
     /// The entry (i, i).
     pub(crate) fn diagonal(&self, i: usize) -> f64 {
         self.values[self.begin[i] + i - self.first[i]]

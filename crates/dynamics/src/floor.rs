@@ -1,6 +1,5 @@
 //! Friction of an object on the floor: four support points, each with a quarter of the weight.
 
-use crate::body::Body;
 use crate::envelope::Envelope;
 use crate::friction::{self, Drag};
 use pairtrawl_geometry::Point;
@@ -86,16 +85,9 @@ impl Supports {
     }
 }
 
-/// Where the support points of a body of this kind stand: the corners of a box, or, for a disc, at the distance that gives the
-/// moment of an even pressure (two thirds of the radius).
-pub(crate) fn support_corner(half: Option<Point>, radius: f64) -> Point {
-    half.unwrap_or_else(|| {
-        let s = radius * 2.0 / 3.0 * std::f64::consts::FRAC_1_SQRT_2;
-        Point::new(s, s)
-    })
-}
-
-/// The axis of a body's frame.
-pub(crate) fn axis(body: &Body) -> Point {
-    Point::unit(body.heading)
+/// The corner at which the support points of a disc stand: at the distance that gives the moment of an even pressure (two thirds
+/// of the radius).
+pub(crate) fn disc_corner(radius: f64) -> Point {
+    let s = radius * 2.0 / 3.0 * std::f64::consts::FRAC_1_SQRT_2;
+    Point::new(s, s)
 }

@@ -2,7 +2,6 @@
 
 use crate::body::Body;
 use crate::contact::Other;
-use crate::floor;
 use crate::near::Mover;
 use crate::setup::Work;
 use crate::touch::{Part, Touch};
@@ -13,7 +12,7 @@ impl World {
     /// Axle center and heading of a robot.
     pub fn robot_pose(&self, side: usize) -> Pose {
         let body = &self.bodies[side];
-        let axle = body.place - floor::axis(body) * self.robot.wheels.center_of_mass;
+        let axle = body.place - body.axis() * self.wheels[side].parameters.center_of_mass;
         Pose::at(axle, body.heading)
     }
 
@@ -37,6 +36,11 @@ impl World {
     /// The net: left hitch, hinges, right hitch.
     pub fn net(&self) -> &[Point] {
         &self.chain.places
+    }
+
+    /// How many objects there are.
+    pub fn objects(&self) -> usize {
+        self.supports.len()
     }
 
     /// Center and turn of an object.

@@ -70,14 +70,6 @@ pub struct Work {
     pub steps: u64,
     /// Linear systems solved.
     pub systems: u64,
-    /// Sum over the steps of the unknowns.
-    pub unknowns: u64,
-    /// Sum over the steps of the stored entries of the matrix.
-    pub entries: u64,
-    /// Sum over the steps of the contacts.
-    pub contacts: u64,
     /// Steps that ended above the tolerance.
     pub unconverged: u64,
-    /// Searches for neighbors.
-    pub searches: u64,
 }

@@ -9,7 +9,7 @@ use crate::neighbors::{Grid, Neighbors, SKIN};
 use crate::newton::System;
 use crate::order::Order;
 use crate::outline::MovingShape;
-use crate::setup::{Footprint, RobotParameters, Setup, Work};
+use crate::setup::{Footprint, Setup, Work};
 use crate::solid::Solid;
 use crate::wheels::{Drive, Wheels};
 use pairtrawl_geometry::Point;
@@ -17,7 +17,6 @@ use pairtrawl_geometry::Point;
 /// Two robots, the net and the objects in motion among obstacles.
 #[derive(Clone, Debug)]
 pub struct World {
-    pub(crate) robot: RobotParameters,
     /// Left robot, right robot, objects.
     pub(crate) bodies: Vec<Body>,
     pub(crate) wheels: [Wheels; 2],
@@ -93,12 +92,12 @@ impl World {
                 Footprint::Box(half) => (
                     MovingShape::of_box(Point::ZERO, half),
                     half.norm_squared() / 3.0,
-                    floor::support_corner(Some(half), 0.0),
+                    half,
                 ),
                 Footprint::Disc(r) => (
                     MovingShape::disc(Point::ZERO, r),
                     0.5 * r * r,
-                    floor::support_corner(None, r),
+                    floor::disc_corner(r),
                 ),
             };
             let mut body = Body::new(
@@ -120,7 +119,6 @@ impl World {
             .collect();
         movers.extend((0..chain.links()).map(Mover::Link));
         Self {
-            robot,
             wheels: [Wheels::new(robot.wheels); 2],
             supports,
             shapes: vec![MovingShape::disc(Point::ZERO, 0.0); movers.len()],

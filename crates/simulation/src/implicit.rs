@@ -10,7 +10,6 @@ pub(crate) struct ImplicitWorld {
     world: dynamics::World,
     time_step: f64,
     wheel_radius: f64,
-    objects: usize,
     /// Which obstacle of the scene each fixed shape is a piece of.
     obstacles: Vec<Option<usize>>,
 }
@@ -71,7 +70,6 @@ impl ImplicitWorld {
             world: dynamics::World::new(setup),
             time_step: parameters.time_step,
             wheel_radius: physics.wheel_radius,
-            objects: objects.len(),
             obstacles,
         }
     }
@@ -139,7 +137,7 @@ impl Physics for ImplicitWorld {
     }
 
     fn objects(&self) -> Vec<Pose> {
-        (0..self.objects)
+        (0..self.world.objects())
             .map(|i| self.world.object_pose(i))
             .collect()
     }
