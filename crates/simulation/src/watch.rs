@@ -1,7 +1,7 @@
 //! What is looked at while a plan is driven.
 
 use crate::{Options, Part, Simulation, distance_outside, encloses};
-use pairtrawl_geometry::Point;
+use pairtrawl_geometry::{Point, Pose};
 use pairtrawl_model::{
     PairPose, Rehearsal, RehearsalEvent, RehearsalEventKind as Kind, RehearsalFrame,
     RehearsalRecord, Scene, Side, Units,
@@ -46,6 +46,21 @@ struct Sums {
     drive: [f64; 2],
 }
 
+/// Where things are at an instant.
+struct Seen {
+    net: Vec<Point>,
+    objects: Vec<Pose>,
+}
+
+impl Seen {
+    fn of(simulation: &Simulation) -> Self {
+        Self {
+            net: simulation.net(),
+            objects: simulation.objects(),
+        }
+    }
+}
+
 /// Since when an object has been in the net.
 #[derive(Clone, Copy)]
 enum Holding {
@@ -78,7 +93,7 @@ impl Watch {
                 ..RehearsalRecord::default()
             },
         };
-        watch.record_frame(simulation);
+        watch.record_frame(simulation, Seen::of(simulation));
         watch
     }
 
@@ -100,34 +115,43 @@ impl Watch {
         if self.steps.is_multiple_of(self.window_every) {
             self.look_at_tension(simulation);
         }
-        if self.steps.is_multiple_of(self.look_every) {
+        let (looks, frame) = (
+            self.steps.is_multiple_of(self.look_every),
+            self.steps.is_multiple_of(self.frame_every),
+        );
+        if !looks && !frame {
+            return;
+        }
+        let seen = Seen::of(simulation);
+        if looks {
             if let Some(wanted) = wanted() {
                 self.look_at_paths(simulation, wanted);
             }
-            self.look_at_contacts(simulation);
-            self.look_at_objects(simulation);
+            self.look_at_contacts(simulation, &seen);
+            self.look_at_objects(simulation.time(), &seen);
         }
-        if self.steps.is_multiple_of(self.frame_every) {
-            self.record_frame(simulation);
+        if frame {
+            self.record_frame(simulation, seen);
         }
     }
 
     /// The record, with the verdict.
     pub fn finish(mut self, simulation: &Simulation) -> RehearsalRecord {
-        if self.frame.steps > 0.0 {
-            self.record_frame(simulation);
-        }
+        let seen = Seen::of(simulation);
         self.record.gathered = simulation.gathered();
         self.record.duration = simulation.time();
         self.record.mean_drive_force = self.whole.drive.map(|sum| sum / self.whole.steps.max(1.0));
-        for (object, pose) in simulation.objects().iter().enumerate() {
-            if !self.record.gathered[object] && !self.record.left.contains(&object) {
+        for (object, pose) in seen.objects.iter().enumerate() {
+            if !self.record.gathered[object] && !self.is_left(object) {
                 self.happened(
                     Kind::ObjectNotGathered { object },
                     simulation.time(),
                     pose.position(),
                 );
             }
+        }
+        if self.frame.steps > 0.0 {
+            self.record_frame(simulation, seen);
         }
         let verdict = match self.record.failures().next() {
             None => Rehearsal::Passed,
@@ -168,14 +192,8 @@ impl Watch {
         }
     }
 
-    fn look_at_contacts(&mut self, simulation: &Simulation) {
-        let contacts = simulation.contacts();
-        if contacts.is_empty() {
-            return;
-        }
-        let net = simulation.net();
-        let objects = simulation.objects();
-        for contact in contacts {
+    fn look_at_contacts(&mut self, simulation: &Simulation, seen: &Seen) {
+        for contact in simulation.contacts() {
             let kind = match (contact.first, contact.second) {
                 (Part::Obstacle(obstacle), Part::Link(_)) => Kind::NetTouchesObstacle { obstacle },
                 (Part::Obstacle(obstacle), Part::Robot(robot)) => {
@@ -183,7 +201,8 @@ impl Watch {
                 }
                 (Part::Robot(_), Part::Robot(_)) => Kind::RobotsTouch,
                 (Part::Robot(robot), Part::Object(object))
-                    if distance_outside(&net, objects[object].position()) > self.radii[object] =>
+                    if distance_outside(&seen.net, seen.objects[object].position())
+                        > self.radii[object] =>
                 {
                     Kind::RobotTouchesObject { robot, object }
                 }
@@ -193,20 +212,24 @@ impl Watch {
         }
     }
 
-    fn look_at_objects(&mut self, simulation: &Simulation) {
+    /// True for an object that the run leaves where it lies.
+    fn is_left(&self, object: usize) -> bool {
+        // The list is in ascending order.
+        self.record.left.binary_search(&object).is_ok()
+    }
+
+    fn look_at_objects(&mut self, time: f64, seen: &Seen) {
         let escaped = ESCAPE_DISTANCE * self.units.length;
         let held = HELD_TIME * self.units.time;
-        let net = simulation.net();
-        let time = simulation.time();
-        for (object, pose) in simulation.objects().iter().enumerate() {
-            if self.record.left.contains(&object) {
+        for (object, pose) in seen.objects.iter().enumerate() {
+            if self.is_left(object) {
                 continue;
             }
             let place = pose.position();
             self.held[object] = match self.held[object] {
-                Holding::Outside if encloses(&net, place) => Holding::Since(time),
+                Holding::Outside if encloses(&seen.net, place) => Holding::Since(time),
                 Holding::Since(since)
-                    if distance_outside(&net, place) > self.radii[object] + escaped =>
+                    if distance_outside(&seen.net, place) > self.radii[object] + escaped =>
                 {
                     if time - since > held {
                         self.happened(Kind::ObjectEscapes { object }, time, place);
@@ -239,13 +262,13 @@ impl Watch {
         }
     }
 
-    fn record_frame(&mut self, simulation: &Simulation) {
+    fn record_frame(&mut self, simulation: &Simulation, seen: Seen) {
         let steps = self.frame.steps.max(1.0);
         self.record.frames.push(RehearsalFrame {
             time: simulation.time(),
             robots: simulation.pair(),
-            net: simulation.net(),
-            objects: simulation.objects(),
+            net: seen.net,
+            objects: seen.objects,
             tension: self.frame.load.map(|sum| sum.norm() / steps),
             drive_force: self.frame.drive.map(|sum| sum / steps),
         });
