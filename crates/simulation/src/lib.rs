@@ -26,6 +26,8 @@ mod rapier;
 mod region;
 mod simulation;
 mod state;
+#[cfg(test)]
+mod test_scene;
 mod watch;
 
 pub use contact::Contact;

@@ -116,41 +116,17 @@ impl Options {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use pairtrawl_geometry::{Point, Pose};
-    use pairtrawl_model::{
-        Area, NetSpec, PairPose, PhysicsParameters, PlannerParameters, Robot, Scene,
-    };
-
-    fn scene() -> Scene {
-        let pair = PairPose {
-            left: Pose::new(-0.3, 0.0, 0.0),
-            right: Pose::new(0.3, 0.0, 0.0),
-        };
-        Scene {
-            name: "options".to_owned(),
-            area: Area {
-                min: Point::new(-9.0, -9.0),
-                max: Point::new(9.0, 9.0),
-                resolution: 0.05,
-            },
-            obstacles: Vec::new(),
-            map: None,
-            objects: Vec::new(),
-            start: pair,
-            end: pair,
-            robot: Robot::default(),
-            net: NetSpec::default(),
-            planner: PlannerParameters::default(),
-            physics: PhysicsParameters::default(),
-        }
-    }
+    use crate::test_scene::scene;
 
     #[test]
     fn a_controlled_step_is_a_whole_part_of_the_tick_and_right_for_the_machine() {
         let default = Options::default();
-        assert_eq!(default.for_control(&scene(), 0.002).time_step, 0.002);
+        assert_eq!(
+            default.for_control(&scene(Vec::new()), 0.002).time_step,
+            0.002
+        );
         for radius in [0.0048, 0.1, 2.4, 240.0] {
-            let mut scene = scene();
+            let mut scene = scene(Vec::new());
             scene.robot.radius = radius;
             let options = default.for_control(&scene, 0.002);
             let steps = 0.002 / options.time_step;

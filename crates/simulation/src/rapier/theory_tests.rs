@@ -9,36 +9,11 @@ use super::objects::Objects;
 use super::robots::RobotBody;
 use super::settings::{new_world, point, vector};
 use super::tag;
+use crate::test_scene::scene;
 use crate::{Engine, Options, Parameters, RobotDrive};
 use pairtrawl_geometry::{Point, Pose};
-use pairtrawl_model::{
-    Area, Footprint, NetSpec, Object, PairPose, PhysicsParameters, PlannerParameters, Robot, Scene,
-};
+use pairtrawl_model::{Footprint, Object};
 use rapier2d_f64::prelude::{ColliderBuilder, RigidBodyBuilder};
-
-pub(crate) fn scene(objects: Vec<Object>) -> Scene {
-    let pair = PairPose {
-        left: Pose::new(-0.3, 0.0, 0.0),
-        right: Pose::new(0.3, 0.0, 0.0),
-    };
-    Scene {
-        name: "theory".to_owned(),
-        area: Area {
-            min: Point::new(-9.0, -9.0),
-            max: Point::new(9.0, 9.0),
-            resolution: 0.05,
-        },
-        obstacles: Vec::new(),
-        map: None,
-        objects,
-        start: pair,
-        end: pair,
-        robot: Robot::default(),
-        net: NetSpec::default(),
-        planner: PlannerParameters::default(),
-        physics: PhysicsParameters::default(),
-    }
-}
 
 fn solver() -> crate::RapierSolver {
     match Options::rapier().engine {
