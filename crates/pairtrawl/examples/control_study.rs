@@ -172,7 +172,6 @@ fn payload(scene: &Scene, length: f64, trajectory: &PairTrajectory) -> Result<()
                 controller: kind,
                 trials: 1,
                 payload: Some(payload),
-                physics: pairtrawl_simulation::Options::quick(),
                 ..ExecutionOptions::default()
             };
             let mut heavy = scene.clone();
@@ -219,11 +218,6 @@ fn trials(
             controller: kind,
             trials: count,
             object_mass: Some([0.015, 0.050]),
-            physics: if count > 20 {
-                pairtrawl_simulation::Options::quick()
-            } else {
-                pairtrawl_simulation::Options::default()
-            },
             ..ExecutionOptions::default()
         };
         let execution = execute_trajectory(scene, length, trajectory, &options, &())?;

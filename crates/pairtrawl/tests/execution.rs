@@ -20,7 +20,6 @@ use std::sync::atomic::{AtomicUsize, Ordering};
 fn options() -> ExecutionOptions {
     ExecutionOptions {
         trials: 2,
-        physics: pairtrawl_simulation::Options::quick(),
         ..ExecutionOptions::default()
     }
 }

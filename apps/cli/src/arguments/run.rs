@@ -71,7 +71,7 @@ pub struct RunArguments {
     #[arg(long)]
     pub unproven: bool,
 
-    /// Larger time steps; they are never longer than a tick of the controllers (2 ms)
+    /// Larger time steps for robots of less than 2 cm across; others take steps of 2 ms, a tick of the controllers, either way
     #[arg(long)]
     pub quick: bool,
 

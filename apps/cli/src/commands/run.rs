@@ -132,6 +132,7 @@ fn options(arguments: &RunArguments) -> ExecutionOptions {
     let sensing = &mut options.sensing;
     sensing.position_noise = arguments.position_noise.unwrap_or(sensing.position_noise);
     sensing.heading_noise = arguments.heading_noise.unwrap_or(sensing.heading_noise);
+    #[cfg(not(feature = "rapier"))]
     if arguments.quick {
         options.physics = pairtrawl::simulation::Options::quick();
     }
