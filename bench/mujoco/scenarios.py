@@ -1,4 +1,4 @@
-"""The runs on which both engines are compared, each as the JSON that `examples/drive.rs` of crates/simulation reads."""
+"""The runs on which both engines are compared, each as the JSON that `examples/drive.rs` of crates/execution reads."""
 
 import json
 import math

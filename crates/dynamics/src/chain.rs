@@ -150,7 +150,7 @@ impl Chain {
         }
     }
 
-    /// At the beginning of a step: the directions of links and hitch arms at its middle, as far as the last step foresees them.
+    /// At the beginning of a step: the links' directions at its middle, as far as the last step foresees them.
     pub(crate) fn begin(&mut self, dt: f64) {
         for link in 0..self.links() {
             let before = self.places[link + 1] - self.places[link];

@@ -67,7 +67,7 @@ pub(crate) enum Other {
 }
 
 impl ContactTerm {
-    /// `softness` is R_t.
+    /// An open contact; [`Self::soften`] sets its R_t.
     pub(crate) fn new(
         pair: (usize, Other),
         place: Point,

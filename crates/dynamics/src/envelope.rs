@@ -4,12 +4,12 @@
 //! the same envelope (Jennings, Computer Journal 9, 1966; George and Liu, Computer Solution of Large Sparse Positive
 //! Definite Systems, 1981, chapter 4). For a chain the envelope is a narrow band; objects in contact widen it where they lie.
 
-/// A symmetric matrix within an envelope, or its factors L and D.
+/// A symmetric matrix within an envelope, or its factor L with the inverse of D on the diagonal.
 #[derive(Clone, Debug, Default)]
 pub(crate) struct Envelope {
     /// First stored column of each row.
     first: Vec<usize>,
-    /// Where the row's column 0 would be in `values`, shifted by `first`: entry (i, j) is at `begin[i] + j - first[i]`.
+    /// Where each row begins in `values`: entry (i, j) is at `begin[i] + j - first[i]`.
     begin: Vec<usize>,
     values: Vec<f64>,
 }

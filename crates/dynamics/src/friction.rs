@@ -1,4 +1,4 @@
-//! Dry friction of a point on the floor, and of a contact along its face.
+//! Dry friction of a point on the floor, and of the tires sideways.
 //!
 //! Coulomb's law for a known limit F is the subgradient of F |v|. It is smoothed below a creeping speed s:
 //!

@@ -1,7 +1,7 @@
 //! Two robots, a chain and objects on a floor, in implicit steps.
 //!
 //! A net is a chain of rigid links, damped by dry friction, with few contacts. This engine is made for that: planar, without gravity in
-//! the plane, in steps of 5 to 20 ms. Its parts and their equations:
+//! the plane, in steps of 2 ms (with controllers) to 20 ms. Its parts and their equations:
 //!
 //! | part | module |
 //! |---|---|

@@ -1,7 +1,7 @@
 /// What drives a robot for the coming step.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum RobotDrive {
-    /// Torques of the wheels, N m; clamped to `max_torque`, the resulting thrust to the traction.
+    /// Torques of the wheels, N m; clamped to `max_torque`, and so that no wheel pushes harder than half the traction.
     Torques {
         /// Left wheel.
         left: f64,

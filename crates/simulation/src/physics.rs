@@ -24,12 +24,12 @@ pub(crate) trait Physics {
     /// How many objects take part in the physics at the moment.
     fn awake_objects(&self) -> usize;
 
-    /// Everything that touches; links among themselves left out.
+    /// What pushed in the last step, or at least touches (rapier); links among themselves left out.
     fn contacts(&self) -> Vec<Contact>;
 
-    /// Greatest gap in a hinge, or greatest wrong length of a link.
+    /// Greatest difference of a link's length from what it should be, or greatest gap in a hinge (rapier).
     fn joint_gap(&self) -> f64;
 
-    /// Kinetic and elastic energy.
+    /// Kinetic energy and what is stored in links, or in tires and support points (rapier).
     fn energy(&self) -> f64;
 }

@@ -176,18 +176,19 @@ impl Simulation {
             .collect()
     }
 
-    /// Everything that touches, after the last step.
+    /// What pushed in the last step; links among themselves left out. rapier also lists what touches without a push.
     pub fn contacts(&self) -> Vec<Contact> {
         let contacts = self.world.contacts().into_iter();
         contacts.map(|c| c.in_si(&self.units)).collect()
     }
 
-    /// Greatest gap in a hinge of the net, m.
+    /// Greatest difference of a link's length from what it should be, m; with rapier, whose links are rigid, the greatest gap in a
+    /// hinge.
     pub fn joint_gap(&self) -> f64 {
         self.world.joint_gap() * self.units.length
     }
 
-    /// Kinetic energy of everything and what is stored in tires and support points, J.
+    /// Kinetic energy of everything and what is stored in stretched links (with rapier: in tires and support points), J.
     pub fn energy(&self) -> f64 {
         self.world.energy() * self.units.torque()
     }
