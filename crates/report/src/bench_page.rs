@@ -1,6 +1,7 @@
 //! The page about a folder of scenes that were planned.
 
-use crate::page::STYLE as PAGE;
+use crate::page::table::{close_table, number, open_card, open_table_of};
+use crate::page::{STYLE as PAGE, head};
 use crate::svg::{Writer, escape};
 use pairtrawl_model::numbers::{cost, duration};
 use pairtrawl_model::{Bench, BenchGroup, BenchScene};
@@ -14,17 +15,7 @@ pub fn bench_html(bench: &Bench) -> String {
     let mut w = Writer::default();
     w.raw("<!DOCTYPE html>\n");
     w.open("html", &[("lang", &"en")]);
-    w.open("head", &[]);
-    w.raw("<meta charset=\"utf-8\">\n");
-    w.raw("<meta name=\"viewport\" content=\"width=device-width, initial-scale=1\">\n");
-    w.raw("<meta name=\"color-scheme\" content=\"light dark\">\n");
-    w.raw("<link rel=\"icon\" href=\"data:,\">\n");
-    w.text("title", &[], &format!("{} \u{b7} Pairtrawl", bench.folder));
-    w.raw("<style>\n");
-    w.raw(PAGE);
-    w.raw(STYLE);
-    w.raw("</style>\n");
-    w.close();
+    head(&mut w, &bench.folder, &[PAGE, STYLE]);
     w.open("body", &[]);
     header(&mut w, bench);
     w.open("main", &[]);
@@ -71,34 +62,8 @@ fn header(w: &mut Writer, bench: &Bench) {
     w.close();
 }
 
-/// Heads of a table; those of numbers are flush right.
-fn open_table(w: &mut Writer, heads: &[(&str, bool)]) {
-    w.open("div", &[("class", &"wide")]);
-    w.open("table", &[]);
-    w.open("thead", &[]);
-    w.open("tr", &[]);
-    for (head, is_number) in heads {
-        let class = if *is_number { "number" } else { "" };
-        w.text("th", &[("scope", &"col"), ("class", &class)], head);
-    }
-    w.close();
-    w.close();
-    w.open("tbody", &[]);
-}
-
-fn close_table(w: &mut Writer) {
-    for _ in ["tbody", "table", "div"] {
-        w.close();
-    }
-}
-
-fn number(w: &mut Writer, text: &str) {
-    w.text("td", &[("class", &"number")], text);
-}
-
 fn groups(w: &mut Writer, bench: &Bench) {
-    w.open("section", &[("id", &"groups"), ("class", &"card")]);
-    w.text("h2", &[], "Groups");
+    open_card(w, "groups", "Groups");
     let heads = [
         ("group", false),
         ("planned", true),
@@ -110,7 +75,7 @@ fn groups(w: &mut Writer, bench: &Bench) {
         ("memory", true),
         ("no plan", false),
     ];
-    open_table(w, &heads);
+    open_table_of(w, &heads);
     for group in bench.groups.iter().chain([&bench.total]) {
         let class = if std::ptr::eq(group, &bench.total) {
             "total"
@@ -150,8 +115,7 @@ fn failures(w: &mut Writer, bench: &Bench) {
     if failed.peek().is_none() {
         return;
     }
-    w.open("section", &[("id", &"no-plan"), ("class", &"card")]);
-    w.text("h2", &[], "Scenes without a plan");
+    open_card(w, "no-plan", "Scenes without a plan");
     w.open("div", &[("class", &"pictures")]);
     for scene in failed {
         w.open("figure", &[]);
@@ -178,8 +142,7 @@ fn failures(w: &mut Writer, bench: &Bench) {
 }
 
 fn scenes(w: &mut Writer, bench: &Bench) {
-    w.open("section", &[("id", &"scenes"), ("class", &"card")]);
-    w.text("h2", &[], "All scenes");
+    open_card(w, "scenes", "All scenes");
     let heads = [
         ("scene", false),
         ("ended", false),
@@ -192,7 +155,7 @@ fn scenes(w: &mut Writer, bench: &Bench) {
         ("time", true),
         ("memory", true),
     ];
-    open_table(w, &heads);
+    open_table_of(w, &heads);
     for scene in &bench.scenes {
         w.open("tr", &[]);
         w.open("th", &[("scope", &"row")]);

@@ -5,7 +5,7 @@ mod data;
 mod failed;
 mod making;
 mod outcome;
-mod table;
+pub(crate) mod table;
 
 pub use failed::failed_html;
 
@@ -16,6 +16,8 @@ use pairtrawl_geometry::Point;
 use pairtrawl_model::Summary;
 
 pub(crate) const STYLE: &str = include_str!("../assets/page.css");
+/// The styles of pages with a map.
+const STYLES: [&str; 2] = [map::STYLE, STYLE];
 const SCRIPTS: [&str; 4] = [
     include_str!("../assets/data.js"),
     include_str!("../assets/player.js"),
@@ -30,7 +32,7 @@ pub fn report_html(summary: &Summary) -> String {
     let mut w = Writer::default();
     w.raw("<!DOCTYPE html>\n");
     w.open("html", &[("lang", &"en")]);
-    head(&mut w, &summary.title);
+    head(&mut w, &summary.title, &STYLES);
     w.open("body", &[]);
     header(&mut w, summary);
     w.open("main", &[]);
@@ -65,7 +67,8 @@ pub fn report_html(summary: &Summary) -> String {
     w.finish()
 }
 
-fn head(w: &mut Writer, title: &str) {
+/// The head of a page with its styles; [`STYLE`] is that of every page.
+pub(crate) fn head(w: &mut Writer, title: &str, styles: &[&str]) {
     w.open("head", &[]);
     w.raw("<meta charset=\"utf-8\">\n");
     w.raw("<meta name=\"viewport\" content=\"width=device-width, initial-scale=1\">\n");
@@ -74,8 +77,9 @@ fn head(w: &mut Writer, title: &str) {
     w.raw("<link rel=\"icon\" href=\"data:,\">\n");
     w.text("title", &[], &format!("{title} \u{b7} Pairtrawl"));
     w.raw("<style>\n");
-    w.raw(map::STYLE);
-    w.raw(STYLE);
+    for style in styles {
+        w.raw(style);
+    }
     w.raw("</style>\n");
     w.close();
 }

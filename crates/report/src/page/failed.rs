@@ -14,7 +14,11 @@ pub fn failed_html(failed: &FailedSummary) -> String {
     let mut w = Writer::default();
     w.raw("<!DOCTYPE html>\n");
     w.open("html", &[("lang", &"en")]);
-    super::head(&mut w, &format!("{}: no plan", summary.title));
+    super::head(
+        &mut w,
+        &format!("{}: no plan", summary.title),
+        &super::STYLES,
+    );
     w.open("body", &[]);
     w.open("header", &[]);
     w.text("h1", &[], &summary.title);

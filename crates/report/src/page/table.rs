@@ -4,24 +4,30 @@ use crate::svg::{Attributes, Writer};
 use pairtrawl_geometry::Point;
 
 /// Opens a card with a heading; [`Writer::close`] ends it.
-pub(super) fn open_card(w: &mut Writer, id: &str, heading: &str) {
+pub(crate) fn open_card(w: &mut Writer, id: &str, heading: &str) {
     w.open("section", &[("id", &id), ("class", &"card")]);
     w.text("h2", &[], heading);
 }
 
 /// Opens a table with its heads; [`close_table`] ends it.
 pub(super) fn open_table(w: &mut Writer, columns: &[&str]) {
+    let heads = columns.iter().map(|column| {
+        let is_number = matches!(*column, "margin" | "value" | "share");
+        (*column, is_number)
+    });
+    open_table_of(w, &heads.collect::<Vec<_>>());
+}
+
+/// The same, with heads that say whether their column is one of numbers.
+pub(crate) fn open_table_of(w: &mut Writer, heads: &[(&str, bool)]) {
     w.open("div", &[("class", &"wide")]);
     w.open("table", &[]);
     w.open("thead", &[]);
     w.open("tr", &[]);
-    for column in columns {
+    for (head, is_number) in heads {
         // Columns of numbers are flush right, heads included.
-        let class = match *column {
-            "margin" | "value" | "share" => "number",
-            _ => "",
-        };
-        w.text("th", &[("scope", &"col"), ("class", &class)], column);
+        let class = if *is_number { "number" } else { "" };
+        w.text("th", &[("scope", &"col"), ("class", &class)], head);
     }
     w.close();
     w.close();
@@ -29,7 +35,7 @@ pub(super) fn open_table(w: &mut Writer, columns: &[&str]) {
 }
 
 /// Ends a table.
-pub(super) fn close_table(w: &mut Writer) {
+pub(crate) fn close_table(w: &mut Writer) {
     for _ in ["tbody", "table", "div"] {
         w.close();
     }
@@ -46,7 +52,7 @@ pub(super) fn row(w: &mut Writer, head: &str, cells: &[&str]) {
 }
 
 /// A number of a table.
-pub(super) fn number(w: &mut Writer, text: &str) {
+pub(crate) fn number(w: &mut Writer, text: &str) {
     w.text("td", &[("class", &"number")], text);
 }
 
