@@ -1,4 +1,3 @@
-use super::check::certify;
 use crate::arguments::BenchPlanArguments;
 use crate::bench::{Child, Ended, SceneFile, scenes_below};
 use crate::exit::Exit;
@@ -7,6 +6,7 @@ use crate::interrupt;
 use crate::output::{Done, Report, to_json};
 use crate::results::in_folder;
 use crate::trials::Trials;
+use pairtrawl::Candidate;
 use pairtrawl::execute::ExecutionObserver;
 use pairtrawl::files::{read_plan, read_scene};
 use pairtrawl::model::numbers::duration;
@@ -123,8 +123,11 @@ fn plan_one(
     let is_planned = ended.code == Some(0);
     let valid = is_planned.then(|| {
         let plan = read_plan(&own.join("plan.json")).ok();
-        plan.zip(loaded.as_ref())
-            .is_some_and(|(plan, loaded)| certify(loaded, &plan).is_valid())
+        plan.zip(loaded.as_ref()).is_some_and(|(plan, loaded)| {
+            let trajectory = plan.trajectory(&loaded.scene);
+            let candidate = Candidate::of_file(&plan, &trajectory);
+            pairtrawl::check(&loaded.scene, &loaded.reference, &candidate).is_valid()
+        })
     });
     let group = loaded.as_ref().map_or_else(
         || "unreadable".to_owned(),

@@ -6,7 +6,6 @@ use crate::objects::{ClaimObject, LeftOutObject};
 use crate::output::{Done, Report};
 use crate::plan_text::{claim_text, left_summary};
 use pairtrawl::files::{Checkable, InfeasibleFile, LoadedScene, PlanFile, read_checkable};
-use pairtrawl::model::Certificate;
 use pairtrawl::{Candidate, claim_summaries};
 use schemars::JsonSchema;
 use serde::Serialize;
@@ -50,22 +49,10 @@ pub fn check(arguments: &CheckArguments) -> Result<Done, Failure> {
     )
 }
 
-/// The certificate of a plan file, made again from the files alone.
-pub(super) fn certify(loaded: &LoadedScene, plan: &PlanFile) -> Certificate {
-    let candidate = Candidate {
-        net_length: plan.net_length,
-        trajectory: &plan.trajectory(&loaded.scene),
-        scene: plan.scene.as_ref(),
-        overrides: &plan.overrides,
-        time_law: plan.time_law.as_deref(),
-        left_out: &plan.left_out,
-    };
-    pairtrawl::check(&loaded.scene, &loaded.reference, &candidate)
-}
-
 fn check_plan(loaded: &LoadedScene, plan: &PlanFile) -> Result<Done, Failure> {
     let trajectory = plan.trajectory(&loaded.scene);
-    let certificate = certify(loaded, plan);
+    let candidate = Candidate::of_file(plan, &trajectory);
+    let certificate = pairtrawl::check(&loaded.scene, &loaded.reference, &candidate);
     let mut claims = claim_summaries(&certificate, &trajectory.times());
     let about = CheckReport {
         valid: certificate.is_valid(),
