@@ -2,13 +2,16 @@
 
 mod program;
 
-use program::{SMALL, files_below, folder_with, library_scene, program, run, stderr, stdout, text};
+use program::{
+    SMALL, files_below, folder_with, json, library_scene, program, run, stderr, stdout, text,
+};
 use serde_json::Value;
 use std::process::Stdio;
 
-const COMMANDS: [&str; 12] = [
+const COMMANDS: [&str; 13] = [
     "plan",
     "check",
+    "show",
     "demo",
     "rehearse",
     "run",
@@ -323,13 +326,7 @@ fn control_c_ends_with_130_and_leaves_no_file() {
     .spawn()
     .expect("the program starts");
     std::thread::sleep(std::time::Duration::from_millis(300));
-    let interrupted = std::process::Command::new("kill")
-        .args(["-INT", &child.id().to_string()])
-        .status();
-    assert!(
-        interrupted.expect("kill runs").success(),
-        "the program had ended before the signal"
-    );
+    program::interrupt(&child);
     assert_eq!(child.wait().expect("the program ends").code(), Some(130));
     assert_eq!(files_below(folder.path()), Vec::<String>::new());
 }
@@ -412,10 +409,7 @@ fn control_c_sets_the_earlier_plan_aside() {
     .spawn()
     .expect("the program starts");
     std::thread::sleep(std::time::Duration::from_millis(300));
-    let interrupted = std::process::Command::new("kill")
-        .args(["-INT", &child.id().to_string()])
-        .status();
-    assert!(interrupted.expect("kill runs").success());
+    program::interrupt(&child);
     assert_eq!(child.wait().expect("the program ends").code(), Some(130));
     assert!(
         files_below(&out)
@@ -446,10 +440,7 @@ fn an_interrupted_table_has_no_rows_of_nothing() {
     .spawn()
     .expect("the program starts");
     std::thread::sleep(std::time::Duration::from_millis(500));
-    let interrupted = std::process::Command::new("kill")
-        .args(["-INT", &child.id().to_string()])
-        .status();
-    assert!(interrupted.expect("kill runs").success());
+    program::interrupt(&child);
     let ended = child.wait_with_output().expect("the program ends");
     assert_eq!(ended.status.code(), Some(130), "{}", stderr(&ended));
     let table: Value = serde_json::from_str(&stdout(&ended)).expect("JSON");
@@ -470,8 +461,7 @@ fn run_refuses_a_plan_that_cannot_be_proven() {
     let ended = run(&["plan", text(&scene), "-o", text(&out), "--no-rehearsal"]);
     assert_eq!(ended.status.code(), Some(0));
     let path = out.join("plan.json");
-    let mut plan: Value =
-        serde_json::from_slice(&std::fs::read(&path).expect("read")).expect("JSON");
+    let mut plan = json(&path);
     let longer = plan["net_length"].as_f64().expect("a number") + 0.1;
     plan["net_length"] = longer.into();
     std::fs::write(&path, plan.to_string()).expect("written");
@@ -564,10 +554,7 @@ fn control_c_keeps_the_lengths_that_are_solved() {
             .spawn()
             .expect("the program starts");
             std::thread::sleep(std::time::Duration::from_millis(milliseconds));
-            let signal = std::process::Command::new("kill")
-                .args(["-INT", &child.id().to_string()])
-                .status();
-            assert!(signal.expect("kill runs").success());
+            program::interrupt(&child);
             let ended = child.wait_with_output().expect("the program ends");
             assert_eq!(ended.status.code(), Some(130), "{}", stderr(&ended));
             let object: Value = serde_json::from_str(&stdout(&ended)).expect("JSON");
@@ -577,7 +564,6 @@ fn control_c_keeps_the_lengths_that_are_solved() {
     let (out, object) = kept.expect("no length was solved in time");
     assert_eq!(object["interrupted"], true);
     assert!(object["points"].as_array().expect("points").len() < 1000);
-    let file = std::fs::read_to_string(out.join("length.json")).expect("length.json");
-    let file: Value = serde_json::from_str(&file).expect("JSON");
+    let file = json(&out.join("length.json"));
     assert_eq!(file["points"], object["points"]);
 }

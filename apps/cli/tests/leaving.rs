@@ -2,25 +2,25 @@
 
 mod program;
 
-use program::{PINNED, SMALL, files_below, folder_with, run, stderr, stdout, text};
+use program::{SMALL, files_below, folder_with, json, pinned, run, stderr, stdout, text};
 use serde_json::Value;
 use std::path::Path;
+use std::process::Output;
 
-fn json(path: &Path) -> Value {
-    let text = std::fs::read_to_string(path).expect("the file is there");
-    serde_json::from_str(&text).expect("JSON")
+fn plan(scene: &Path, out: &Path, more: &[&str]) -> Output {
+    run(&[&["plan", text(scene), "-o", text(out)], more].concat())
 }
 
-/// `PINNED` with one more object that is too close to the edge.
+/// `pinned` with one more object that is too close to the edge.
 fn two_of_four() -> String {
-    PINNED.to_owned() + "\n[[objects]]\nposition = [3.0, 2.95]\nradius = 0.02\n"
+    pinned() + "\n[[objects]]\nposition = [3.0, 2.95]\nradius = 0.02\n"
 }
 
 #[test]
 fn all_objects_that_cannot_be_swept_are_named_at_once() {
     let (folder, scene) = folder_with(two_of_four());
     let out = folder.path().join("out");
-    let ended = run(&["plan", text(&scene), "-o", text(&out), "--json"]);
+    let ended = plan(&scene, &out, &["--json"]);
     assert_eq!(ended.status.code(), Some(4), "{}", stderr(&ended));
     let said: Value = serde_json::from_str(&stdout(&ended)).expect("JSON");
     let message = said["message"].as_str().expect("text");
@@ -63,14 +63,7 @@ fn all_objects_that_cannot_be_swept_are_named_at_once() {
 fn what_cannot_be_swept_is_left_and_the_rest_is_gathered() {
     let (folder, scene) = folder_with(two_of_four());
     let out = folder.path().join("out");
-    let ended = run(&[
-        "plan",
-        text(&scene),
-        "-o",
-        text(&out),
-        "--leave",
-        "unreachable",
-    ]);
+    let ended = plan(&scene, &out, &["--leave", "unreachable"]);
     assert_eq!(ended.status.code(), Some(0), "{}", stderr(&ended));
     let said = stdout(&ended);
     assert!(said.contains("2 of 4 objects, 2 LEFT"), "{said}");
@@ -114,15 +107,7 @@ fn what_cannot_be_swept_is_left_and_the_rest_is_gathered() {
 fn what_is_left_without_a_reason_is_refused() {
     let (folder, scene) = folder_with(two_of_four());
     let out = folder.path().join("out");
-    let ended = run(&[
-        "plan",
-        text(&scene),
-        "-o",
-        text(&out),
-        "--leave",
-        "unreachable",
-        "--no-rehearsal",
-    ]);
+    let ended = plan(&scene, &out, &["--leave", "unreachable", "--no-rehearsal"]);
     assert_eq!(ended.status.code(), Some(0), "{}", stderr(&ended));
     let path = out.join("plan.json");
     let plan = json(&path);
@@ -147,30 +132,22 @@ fn what_is_left_without_a_reason_is_refused() {
 
 #[test]
 fn a_scene_says_itself_that_objects_may_be_left() {
-    let leave = PINNED.to_owned() + "\n[planner]\nleave = \"unreachable\"\n";
+    let leave = pinned() + "\n[planner]\nleave = \"unreachable\"\n";
     let (folder, scene) = folder_with(leave);
     let out = folder.path().join("out");
-    let plan = |more: &[&str]| {
-        let mut arguments = vec!["plan", text(&scene), "-o", text(&out), "--no-rehearsal"];
-        arguments.extend(more);
-        run(&arguments).status.code()
-    };
-    assert_eq!(plan(&[]), Some(0));
-    assert_eq!(plan(&["--leave", "none"]), Some(4));
-    assert_eq!(plan(&["--leave", "some"]), Some(2));
+    for (more, code) in [
+        (&[][..], 0),
+        (&["--leave", "none"], 4),
+        (&["--leave", "some"], 2),
+    ] {
+        let more = [&["--no-rehearsal"], more].concat();
+        assert_eq!(plan(&scene, &out, &more).status.code(), Some(code));
+    }
     // The proof is about the one object, so there is nothing to gather.
     let one = SMALL.replace("2.2, 0.4]", "2.2, 1.3]");
     let (folder, scene) = folder_with(one);
     let out = folder.path().join("out");
-    let arguments = [
-        "plan",
-        text(&scene),
-        "-o",
-        text(&out),
-        "--leave",
-        "unreachable",
-    ];
-    let ended = run(&arguments);
+    let ended = plan(&scene, &out, &["--leave", "unreachable"]);
     assert_eq!(ended.status.code(), Some(4));
     assert!(
         stderr(&ended).contains("nothing can be gathered"),
@@ -209,16 +186,11 @@ fn a_search_without_success_names_every_start_and_draws_the_best_attempt() {
     // Too few waypoints for the way around, but enough for a straight one.
     let (folder, scene) = folder_with(SMALL.replace("[2.0, 1.5]", "[2.0, 2.6]"));
     let out = folder.path().join("out");
-    let ended = run(&[
-        "plan",
-        text(&scene),
-        "-o",
-        text(&out),
-        "--waypoints",
-        "64",
-        "--no-rehearsal",
-        "--json",
-    ]);
+    let ended = plan(
+        &scene,
+        &out,
+        &["--waypoints", "64", "--no-rehearsal", "--json"],
+    );
     assert_eq!(ended.status.code(), Some(5), "{}", stderr(&ended));
     let said: Value = serde_json::from_str(&stdout(&ended)).expect("JSON");
     let tried = said["details"]["tried"].as_array().expect("a list");

@@ -2,7 +2,7 @@
 
 mod program;
 
-use program::{SMALL, files_below, folder_with, program, run, stderr, stdout, text};
+use program::{SMALL, files_below, folder_with, json, program, run, stderr, stdout, text};
 use serde_json::Value;
 use std::path::Path;
 use std::process::Stdio;
@@ -159,8 +159,7 @@ fn a_folder_of_scenes_is_planned_and_counted() {
     ]);
     assert_eq!(ended.status.code(), Some(0), "{}", stderr(&ended));
     let said: Value = serde_json::from_str(&stdout(&ended)).expect("JSON");
-    let file = std::fs::read_to_string(out.path().join("bench.json")).expect("bench.json");
-    let kept: Value = serde_json::from_str(&file).expect("JSON");
+    let kept = json(&out.path().join("bench.json"));
     assert_eq!(said["scenes"], kept["scenes"]);
 
     let of = |name: &str| {
@@ -264,14 +263,10 @@ fn an_interrupted_bench_keeps_what_is_done() {
     while !out.join("scenes/zzz").exists() {
         std::thread::sleep(std::time::Duration::from_millis(20));
     }
-    let interrupted = std::process::Command::new("kill")
-        .args(["-INT", &child.id().to_string()])
-        .status();
-    assert!(interrupted.expect("kill runs").success());
+    program::interrupt(&child);
     let ended = child.wait_with_output().expect("the program ends");
     assert_eq!(ended.status.code(), Some(130), "{}", stderr(&ended));
-    let file = std::fs::read_to_string(out.join("bench.json")).expect("bench.json");
-    let kept: Value = serde_json::from_str(&file).expect("JSON");
+    let kept = json(&out.join("bench.json"));
     assert_eq!(kept["interrupted"], true);
     assert_eq!(kept["wanted"], 2);
     let names: Vec<_> = (kept["scenes"].as_array().expect("scenes").iter())

@@ -2,7 +2,7 @@
 
 mod program;
 
-use program::{SMALL, files_below, folder_with, library_scene, run, stderr, stdout, text};
+use program::{SMALL, files_below, folder_with, json, library_scene, run, stderr, stdout, text};
 use serde_json::Value;
 use std::path::Path;
 
@@ -96,8 +96,7 @@ fn check_refuses_a_plan_of_another_scene_and_a_changed_one() {
     let out = folder.path().join("out");
     plan_in(&out, &scene, &["--no-rehearsal"]);
     let path = out.join("plan.json");
-    let mut plan: Value =
-        serde_json::from_slice(&std::fs::read(&path).expect("read")).expect("JSON");
+    let mut plan = json(&path);
 
     let (_other_folder, other) = folder_with(SMALL.replace("name = \"small\"", "name = \"other\""));
     let ended = run(&["check", text(&other), text(&path)]);
@@ -142,7 +141,7 @@ fn a_plan_from_elsewhere_needs_four_fields() {
     let out = folder.path().join("out");
     plan_in(&out, &scene, &["--no-rehearsal"]);
     let path = out.join("plan.json");
-    let plan: Value = serde_json::from_slice(&std::fs::read(&path).expect("read")).expect("JSON");
+    let plan = json(&path);
     let mut bare = serde_json::Map::new();
     for field in ["format", "net_length", "left", "right", "step_time"] {
         bare.insert(field.to_owned(), plan[field].clone());
@@ -158,8 +157,7 @@ fn an_overridden_net_length_stands_in_the_plan() {
     let (folder, scene) = folder_with(SMALL);
     let out = folder.path().join("out");
     plan_in(&out, &scene, &["--no-rehearsal", "--net-length", "1.0"]);
-    let plan: Value =
-        serde_json::from_slice(&std::fs::read(out.join("plan.json")).expect("read")).expect("JSON");
+    let plan = json(&out.join("plan.json"));
     assert_eq!(plan["net_length"], 1.0);
     assert_eq!(plan["overrides"]["net_length"], 1.0);
     let chosen = plan_in(&out, &scene, &["--no-rehearsal", "--net-length", "auto"]);
@@ -211,9 +209,7 @@ fn a_random_centerline_depends_on_its_seed_alone() {
             &scene,
             &[&["--no-rehearsal", "--no-explore"], &how[..]].concat(),
         );
-        let text = std::fs::read(out.join("plan.json")).expect("plan.json");
-        let plan: Value = serde_json::from_slice(&text).expect("JSON");
-        plan["centerline"].to_string()
+        json(&out.join("plan.json"))["centerline"].to_string()
     };
     let first = centerline("1", "a");
     assert_eq!(first, centerline("1", "b"), "the same seed");
@@ -243,8 +239,7 @@ fn a_failed_rehearsal_warns_or_refuses() {
     let ended = run(&["plan", text(&scene), "-o", text(&out)]);
     assert_eq!(ended.status.code(), Some(0), "{}", stderr(&ended));
     assert!(stdout(&ended).contains("warning: the plan is certified, but its rehearsal fails"));
-    let plan: Value =
-        serde_json::from_slice(&std::fs::read(out.join("plan.json")).expect("read")).expect("JSON");
+    let plan = json(&out.join("plan.json"));
     assert_eq!(plan["rehearsal"]["status"], "failed");
     let ended = run(&[
         "rehearse",

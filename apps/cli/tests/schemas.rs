@@ -4,7 +4,7 @@
 mod program;
 
 use jsonschema::Validator;
-use program::{PINNED, SMALL, files_below, folder_with, run, stderr, stdout, text};
+use program::{SMALL, files_below, folder_with, json, pinned, run, stderr, stdout, text};
 use serde_json::Value;
 use std::collections::BTreeMap;
 use std::path::{Path, PathBuf};
@@ -14,10 +14,7 @@ fn repository() -> PathBuf {
 }
 
 fn schema(name: &str) -> Value {
-    let path = repository().join(format!("docs/formats/{name}.schema.json"));
-    let text = std::fs::read_to_string(&path)
-        .unwrap_or_else(|error| panic!("{}: {error}", path.display()));
-    serde_json::from_str(&text).expect("a schema is JSON")
+    json(&repository().join(format!("docs/formats/{name}.schema.json")))
 }
 
 fn validator(name: &str) -> Validator {
@@ -29,11 +26,6 @@ fn expect_fit(name: &str, value: &Value) {
         .map(|error| format!("{} at {}", error, error.instance_path()))
         .collect();
     assert!(errors.is_empty(), "{name}: {errors:#?}");
-}
-
-fn json(path: &Path) -> Value {
-    let text = std::fs::read_to_string(path).expect("the file is there");
-    serde_json::from_str(&text).expect("JSON")
 }
 
 #[test]
@@ -67,7 +59,7 @@ fn what_is_printed_and_written_fits_the_schemas() {
     let run_once = [
         "run", scene, plan_path, "--trials", "1", "--quick", "-o", out,
     ];
-    let (_pinned_folder, pinned) = folder_with(PINNED);
+    let (_pinned_folder, pinned) = folder_with(pinned());
     let pinned = text(&pinned);
     let (short, left) = (inside("short"), inside("left"));
     let proofs = format!("{short}/infeasible.json");

@@ -1,8 +1,9 @@
 //! Runs the built program and looks at how it ended.
 #![allow(dead_code, reason = "each test file uses its own part")]
 
+use serde_json::Value;
 use std::path::{Path, PathBuf};
-use std::process::{Command, Output, Stdio};
+use std::process::{Child, Command, Output, Stdio};
 
 /// The program with arguments, not started yet.
 pub fn program<S: AsRef<std::ffi::OsStr>>(arguments: &[S]) -> Command {
@@ -22,6 +23,25 @@ pub fn stdout(output: &Output) -> String {
 
 pub fn stderr(output: &Output) -> String {
     String::from_utf8(output.stderr.clone()).expect("standard error is UTF-8")
+}
+
+/// What Ctrl-C does; the program must be running.
+#[cfg(unix)]
+pub fn interrupt(child: &Child) {
+    let sent = Command::new("kill")
+        .args(["-INT", &child.id().to_string()])
+        .status();
+    assert!(
+        sent.expect("kill runs").success(),
+        "the program had ended before the signal"
+    );
+}
+
+/// A JSON file.
+pub fn json(path: &Path) -> Value {
+    let text =
+        std::fs::read_to_string(path).unwrap_or_else(|error| panic!("{}: {error}", path.display()));
+    serde_json::from_str(&text).expect("JSON")
 }
 
 /// A scene of the library.
@@ -68,22 +88,8 @@ length = 1.2
 "#;
 
 /// The same with two more objects, of which object 1 is too close to the obstacle to be swept.
-pub const PINNED: &str = r#"
-format = "pairtrawl-scene/1"
-name = "pinned"
-
-[area]
-min = [0.0, 0.0]
-max = [4.0, 3.0]
-resolution = 0.05
-
-[[obstacles]]
-box = [1.8, 0.0, 2.2, 0.4]
-
-[[objects]]
-position = [2.0, 1.5]
-size = [0.05, 0.05]
-
+pub fn pinned() -> String {
+    let objects = r#"
 [[objects]]
 position = [2.0, 0.6]
 size = [0.05, 0.05]
@@ -91,20 +97,9 @@ size = [0.05, 0.05]
 [[objects]]
 position = [2.5, 1.5]
 radius = 0.03
-
-[start]
-left = [0.5, 1.85]
-right = [0.5, 1.15]
-heading = 0.0
-
-[end]
-left = [3.5, 1.85]
-right = [3.5, 1.15]
-heading = 0.0
-
-[net]
-length = 1.2
 "#;
+    SMALL.replace("name = \"small\"", "name = \"pinned\"") + objects
+}
 
 /// A folder with `scene.toml` in it.
 pub fn folder_with(scene: impl AsRef<[u8]>) -> (tempfile::TempDir, PathBuf) {
