@@ -133,30 +133,22 @@ fn plan_one(
         || "unreadable".to_owned(),
         |loaded| without_seed(&loaded.scene.name).to_owned(),
     );
-    let there = |names: [&str; 2]| {
-        (names.into_iter())
-            .find(|name| own.join(name).is_file())
-            .map(|name| format!("{SCENES}/{}/{name}", file.name))
+    let there = |name: &str| {
+        let is_there = own.join(name).is_file();
+        is_there.then(|| format!("{SCENES}/{}/{name}", file.name))
     };
     // What an earlier run left is not this one's.
-    let (page, picture) = if is_planned {
-        (
-            there(["report.html", "report.html"]),
-            there(["plan.svg", "plan.svg"]),
-        )
-    } else {
-        (
-            there(["failed.html", "report.html"]),
-            there(["failed.svg", "failed.svg"]),
-        )
+    let (page, picture) = match is_planned {
+        true => ("report.html", "plan.svg"),
+        false => ("failed.html", "failed.svg"),
     };
     Ok(Some(BenchScene {
         name: file.name.clone(),
         group,
         objects: loaded.map(|loaded| loaded.scene.objects.len()),
         valid,
-        page,
-        picture,
+        page: there(page),
+        picture: there(picture),
         ..from_output(&ended)
     }))
 }
