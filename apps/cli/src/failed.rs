@@ -16,7 +16,7 @@ pub fn write(
     options: &PlanOptions,
     error: PlanError,
 ) -> Failure {
-    let Some(summary) = pairtrawl::summarize_failure(&loaded.scene, &error) else {
+    let Some(summary) = pairtrawl::summarize_failure(&loaded.scene, options, &error) else {
         return error.into();
     };
     let mut contents = vec![

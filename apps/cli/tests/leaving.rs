@@ -200,3 +200,16 @@ fn a_search_without_success_names_every_start_and_draws_the_best_attempt() {
     assert!(svg.contains("NOT A PLAN"), "the picture says what it is");
     assert!(svg.contains("this is the best attempt"));
 }
+
+#[test]
+fn what_is_shown_of_a_failure_has_the_net_of_the_command_line() {
+    let (folder, scene) = folder_with(SMALL);
+    let out = folder.path().join("out");
+    let ended = plan(&scene, &out, &["--net-length", "0.5"]);
+    assert_eq!(ended.status.code(), Some(4), "{}", stderr(&ended));
+    for name in ["failed.svg", "failed.html"] {
+        let shown = std::fs::read_to_string(out.join(name)).expect("read");
+        assert!(shown.contains("net 0.500 m"), "{name}");
+        assert!(!shown.contains("1.200 m"), "{name}");
+    }
+}

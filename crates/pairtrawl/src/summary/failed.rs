@@ -6,6 +6,7 @@ use crate::error::PlanError;
 use crate::infeasible::Infeasible;
 use crate::no_plan::NoPlan;
 use crate::not_found::NotFound;
+use crate::options::PlanOptions;
 use pairtrawl_certificate::infeasibility::ProofKind;
 use pairtrawl_model::numbers::quantity;
 use pairtrawl_model::{
@@ -70,22 +71,27 @@ pub fn summarize_scene(
 }
 
 /// What is shown when planning a scene failed: with a proof, after a search, or for want of time. `None` for bad input and
-/// for a run that somebody stopped: there is nothing to see.
-pub fn summarize_failure(scene: &Scene, error: &PlanError) -> Option<FailedSummary> {
+/// for a run that somebody stopped: there is nothing to see. `options` are those that the scene was planned with.
+pub fn summarize_failure(
+    scene: &Scene,
+    options: &PlanOptions,
+    error: &PlanError,
+) -> Option<FailedSummary> {
+    let net_length = options.net_length_for(scene);
     let (verdict, summary, tried) = match error {
         PlanError::Infeasible(infeasible) => {
             let marked = scene.leaving(infeasible.objects());
-            let summary = summarize_scene(&marked, scene.net.length, Some(infeasible));
+            let summary = summarize_scene(&marked, net_length, Some(infeasible));
             ("proven infeasible", summary, Vec::new())
         }
         PlanError::NoPlan(not_found) => {
             let tried = not_found.tried.iter();
             let tried = tried.map(|tried| (tried.start.clone(), tried.missing.to_string()));
-            let summary = attempted(scene, not_found);
+            let summary = attempted(scene, net_length, not_found);
             ("no certified plan was found", summary, tried.collect())
         }
         PlanError::TimeLimit { .. } => {
-            let summary = summarize_scene(scene, scene.net.length, None);
+            let summary = summarize_scene(scene, net_length, None);
             ("the time ran out", summary, Vec::new())
         }
         PlanError::BadInput(_) | PlanError::Interrupted => return None,
@@ -99,10 +105,10 @@ pub fn summarize_failure(scene: &Scene, error: &PlanError) -> Option<FailedSumma
     })
 }
 
-/// The best attempt, with everything marked that is wrong with it.
-fn attempted(scene: &Scene, not_found: &NotFound) -> Summary {
+/// The best attempt, with everything marked that is wrong with it; the scene where there is none.
+fn attempted(scene: &Scene, net_length: Option<f64>, not_found: &NotFound) -> Summary {
     let Some(best) = &not_found.best else {
-        let mut summary = summarize_scene(scene, scene.net.length, None);
+        let mut summary = summarize_scene(scene, net_length, None);
         summary.marks = (not_found.missing.place().into_iter())
             .map(|place| Mark {
                 place,
