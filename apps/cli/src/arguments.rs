@@ -34,6 +34,7 @@ pub use rehearse::RehearseArguments;
 pub use run::RunArguments;
 pub use schemas::SchemasArguments;
 pub use show::ShowArguments;
+pub use values::name;
 
 use clap::{Parser, Subcommand};
 

@@ -1,4 +1,4 @@
-use super::values::{parse_net_length, parse_seconds};
+use super::values::{name, parse_net_length, parse_seconds};
 use clap::{Args, ValueEnum};
 
 /// The options that `plan` and `demo` share.
@@ -135,11 +135,6 @@ impl PlanningArguments {
             .chain(flags.map(|(option, _)| option.to_owned()))
             .collect()
     }
-}
-
-/// A value's name on the command line.
-fn name(value: &impl ValueEnum) -> Option<String> {
-    Some(value.to_possible_value()?.get_name().to_owned())
 }
 
 impl From<Order> for pairtrawl::OrderMethod {

@@ -1,5 +1,12 @@
 //! Values of the command line and their bounds.
 
+use clap::ValueEnum;
+
+/// A value's name on the command line; `None` for one that is hidden.
+pub fn name(value: &impl ValueEnum) -> Option<String> {
+    Some(value.to_possible_value()?.get_name().to_owned())
+}
+
 /// Greatest net length that the command line takes, m.
 const LONGEST_NET: f64 = 1000.0;
 

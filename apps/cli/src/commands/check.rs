@@ -114,14 +114,15 @@ fn check_proofs(loaded: &LoadedScene, file: &InfeasibleFile) -> Result<Done, Fai
     if !checked.scene.detail.is_empty() {
         text.push_str(&format!("  {}\n", checked.scene.detail));
     }
-    let ordered = (file.proofs.iter().zip(&proofs)).filter(|(_, p)| !p.holds);
-    let ordered = ordered.chain(file.proofs.iter().zip(&proofs).filter(|(_, p)| p.holds));
-    for (stated, proof) in ordered {
+    let mut ordered: Vec<&CheckedProof> = proofs.iter().collect();
+    // What fails comes first.
+    ordered.sort_by_key(|proof| proof.holds);
+    for proof in ordered {
         let verdict = match proof.holds {
             true => "holds".to_owned(),
             false => format!("FAILS: {}", proof.detail),
         };
-        let object = match stated.kind.object() {
+        let object = match proof.objects.first() {
             Some(object) => format!("object {object}"),
             None => "everything".to_owned(),
         };

@@ -1,4 +1,4 @@
-use crate::arguments::{GenerateArguments, Kind};
+use crate::arguments::{GenerateArguments, Kind, name};
 use crate::exit::Exit;
 use crate::failure::Failure;
 use crate::output::{Done, Report};
@@ -96,12 +96,7 @@ fn refuse_foreign(arguments: &GenerateArguments) -> Result<(), Failure> {
     match given.iter().find(|(_, is_given, has)| *is_given && !has) {
         None => Ok(()),
         Some((option, ..)) => {
-            let kind = match arguments.kind {
-                Kind::Witness => "witness",
-                Kind::Serpentine => "serpentine",
-                Kind::Litter => "litter",
-                Kind::Hall => "hall",
-            };
+            let kind = name(&arguments.kind).unwrap_or_default();
             let message = format!("{option} means nothing for --kind {kind}");
             Err(Failure::new(Exit::Usage, message)
                 .with_help("leave it out, or choose another kind; `pairtrawl generate --help` lists who takes what"))
