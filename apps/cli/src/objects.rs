@@ -83,13 +83,15 @@ pub struct LeftOutObject {
     text: String,
 }
 
-impl From<&LeftOut> for LeftOutObject {
-    fn from(left: &LeftOut) -> Self {
-        Self {
+impl LeftOutObject {
+    /// All that a plan leaves.
+    pub fn all(left_out: &[LeftOut]) -> Vec<Self> {
+        let objects = left_out.iter().map(|left| Self {
             object: left.object,
             why: left.why.name(),
             text: left.text.clone(),
-        }
+        });
+        objects.collect()
     }
 }
 

@@ -9,6 +9,17 @@ use crate::output::Done;
 use pairtrawl::files::{check_writable, write_atomically};
 use std::path::{Path, PathBuf};
 
+/// Makes a folder where there is none.
+///
+/// # Errors
+/// What the system says.
+pub fn create_folder(folder: &Path) -> Result<(), Failure> {
+    std::fs::create_dir_all(folder).map_err(|error| {
+        let message = format!("cannot create the folder {}: {error}", folder.display());
+        Failure::new(Exit::Files, message)
+    })
+}
+
 /// A folder for results.
 #[derive(Debug)]
 pub struct Results<'a> {
@@ -58,18 +69,14 @@ pub fn in_folder(
     work: impl FnOnce(&Results<'_>) -> Result<Done, Failure>,
 ) -> Result<Done, Failure> {
     let missing = !folder.exists();
-    let ready = std::fs::create_dir_all(folder)
-        .map_err(|error| {
-            let message = format!("cannot create the folder {}: {error}", folder.display());
-            Failure::new(Exit::Files, message)
-        })
-        .and_then(|()| Ok(check_writable(folder)?));
+    let ready = create_folder(folder).and_then(|()| Ok(check_writable(folder)?));
     let ended = match ready {
         Err(failure) => Err(failure.with_help("give a folder that you may write to, with -o")),
         Ok(()) => {
             earlier::work_for(folder, names);
-            work(&Results { folder }).map_err(|mut failure| {
-                let aside = earlier::set_aside().map(|folder| folder.display().to_string());
+            let results = Results { folder };
+            work(&results).map_err(|mut failure| {
+                let aside = results.set_aside();
                 failure.details.set_aside = failure.details.set_aside.take().or(aside);
                 failure
             })

@@ -113,6 +113,11 @@ pub fn quantity(value: f64, unit: &str) -> String {
     }
 }
 
+/// An amount of memory in bytes, in whole megabytes that hold it.
+pub fn memory(bytes: u64) -> String {
+    format!("{} MB", bytes.div_ceil(1_000_000))
+}
+
 /// Ascending indices with runs of three or more as ranges: `0, 2, 5-9`.
 pub fn index_list(indices: &[usize]) -> String {
     let mut parts: Vec<String> = Vec::new();

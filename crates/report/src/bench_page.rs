@@ -3,7 +3,7 @@
 use crate::page::table::{close_table, number, open_card, open_table_of};
 use crate::page::{STYLE as PAGE, head};
 use crate::svg::{Writer, escape};
-use pairtrawl_model::numbers::{cost, duration};
+use pairtrawl_model::numbers::{cost, duration, memory};
 use pairtrawl_model::{Bench, BenchGroup, BenchScene};
 
 /// What is particular to this page.
@@ -103,7 +103,7 @@ fn group_cells(w: &mut Writer, group: &BenchGroup) {
     );
     let times = group.seconds.map(|all| all.map(duration));
     number(w, &times.map_or_else(String::new, |all| all.join(" / ")));
-    number(w, &memory(group.memory));
+    number(w, &group.memory.map_or_else(String::new, memory));
     let ends: Vec<String> = (group.failures.iter())
         .map(|f| format!("{} \u{d7} {}", f.scenes, end(f.exit_code)))
         .collect();
@@ -176,7 +176,7 @@ fn scenes(w: &mut Writer, bench: &Bench) {
         let iterations = scene.iterations.map(|n| n.to_string());
         number(w, &iterations.unwrap_or_default());
         number(w, &duration(scene.seconds));
-        number(w, &memory(scene.memory));
+        number(w, &scene.memory.map_or_else(String::new, memory));
         w.close();
     }
     close_table(w);
@@ -213,8 +213,4 @@ fn end(exit_code: Option<i32>) -> String {
     exit_code.map_or("ended from outside".to_owned(), |code| {
         format!("exit {code}")
     })
-}
-
-fn memory(bytes: Option<u64>) -> String {
-    bytes.map_or_else(String::new, |b| format!("{} MB", b.div_ceil(1_000_000)))
 }

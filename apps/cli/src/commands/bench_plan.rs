@@ -9,7 +9,7 @@ use crate::trials::Trials;
 use pairtrawl::Candidate;
 use pairtrawl::execute::ExecutionObserver;
 use pairtrawl::files::{read_plan, read_scene};
-use pairtrawl::model::numbers::duration;
+use pairtrawl::model::numbers::{duration, memory};
 use pairtrawl::model::{Bench, BenchGroup, BenchScene};
 use serde_json::Value;
 use std::collections::BTreeMap;
@@ -253,9 +253,6 @@ fn bench_text(bench: &Bench) -> String {
         let seconds = group
             .seconds
             .map_or_else(String::new, |times| times.map(duration).join(" / "));
-        let memory = group.memory.map_or_else(String::new, |bytes| {
-            format!("{} MB", bytes.div_ceil(1_000_000))
-        });
         let failures: Vec<String> = (group.failures.iter())
             .map(|f| match f.exit_code {
                 Some(code) => format!("{} x exit {code}", f.scenes),
@@ -271,7 +268,7 @@ fn bench_text(bench: &Bench) -> String {
             format!("{}/{}", group.left_proven, group.left_not_found),
             iterations,
             seconds,
-            memory,
+            group.memory.map_or_else(String::new, memory),
             failures.join(", ")
         );
     }

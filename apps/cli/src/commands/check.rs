@@ -57,7 +57,7 @@ fn check_plan(loaded: &LoadedScene, plan: &PlanFile) -> Result<Done, Failure> {
     let about = CheckReport {
         valid: certificate.is_valid(),
         claims: claims.iter().map(ClaimObject::from).collect(),
-        left_out: plan.left_out.iter().map(LeftOutObject::from).collect(),
+        left_out: LeftOutObject::all(&plan.left_out),
         proofs: Vec::new(),
     };
 

@@ -183,7 +183,7 @@ fn report(table: &MonteCarlo, options: &MonteCarloOptions, left: &[LeftOut]) -> 
         seed: options.seed,
         tolerance: options.tolerance,
         interrupted: table.interrupted,
-        left_out: left.iter().map(LeftOutObject::from).collect(),
+        left_out: LeftOutObject::all(left),
         rows: table.rows.iter().map(row).collect(),
     }
 }

@@ -83,7 +83,7 @@ impl From<&Summary> for PlanReport {
             right_length: summary.right_length,
             duration: summary.duration,
             gathers: summary.gathers(),
-            left_out: summary.left_out.iter().map(LeftOutObject::from).collect(),
+            left_out: LeftOutObject::all(&summary.left_out),
             cost: CostObject::from(&summary.cost),
             claims: summary.claims.iter().map(ClaimObject::from).collect(),
             rehearsal: RehearsalObject::from(&summary.rehearsal),

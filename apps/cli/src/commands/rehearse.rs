@@ -176,12 +176,7 @@ fn report(rehearsed: &Rehearsed, certificate_valid: bool) -> RehearseReport {
     RehearseReport {
         rehearsal: RehearsalObject::from(&record.verdict),
         gathered: record.gathered.clone(),
-        left_out: rehearsed
-            .plan
-            .left_out
-            .iter()
-            .map(LeftOutObject::from)
-            .collect(),
+        left_out: LeftOutObject::all(&rehearsed.plan.left_out),
         max_tension: record.max_tension,
         max_deviation: record.max_deviation,
         mean_drive_force: record.mean_drive_force,

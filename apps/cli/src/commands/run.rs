@@ -98,7 +98,7 @@ fn run_in(
     let about = RunReport {
         controller: execution.controller.name(),
         interrupted: execution.interrupted,
-        left_out: plan.left_out.iter().map(LeftOutObject::from).collect(),
+        left_out: LeftOutObject::all(&plan.left_out),
         summary: ExecutionFigures::from(&execution),
     };
     Report::new("run", exit, about).scene(&scene.name).done(

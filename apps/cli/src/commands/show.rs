@@ -5,6 +5,7 @@ use crate::exit::Exit;
 use crate::failure::Failure;
 use crate::interrupt;
 use crate::output::{Done, Report};
+use crate::results::create_folder;
 use pairtrawl::PlanOptions;
 use pairtrawl::files::{LoadedScene, write_atomically};
 use pairtrawl::model::numbers::index_list;
@@ -64,10 +65,7 @@ fn show_in(loaded: &LoadedScene, arguments: &ShowArguments) -> Result<Done, Fail
     let picture = pairtrawl::report::scene_svg(summary);
     interrupt::while_writing(|| {
         if let Some(folder) = path.parent() {
-            std::fs::create_dir_all(folder).map_err(|error| {
-                let message = format!("cannot create the folder {}: {error}", folder.display());
-                Failure::new(Exit::Files, message)
-            })?;
+            create_folder(folder)?;
         }
         Ok::<_, Failure>(write_atomically(&path, picture.as_bytes())?)
     })?;
