@@ -1,7 +1,8 @@
 use crate::random::Random;
 use pairtrawl_certificate::Clearance;
-use pairtrawl_geometry::{Hull, Point};
+use pairtrawl_geometry::{Bounds, Hull, Point, Pose};
 use pairtrawl_model::{OccupancyMap, Scene};
+use std::borrow::Cow;
 use std::collections::VecDeque;
 
 /// Where the pair can come: the largest connected region of cells around whose center so much is free that the pair, as
@@ -12,7 +13,7 @@ use std::collections::VecDeque;
 pub(crate) struct Floor<'a> {
     scene: &'a Scene,
     clearance: Clearance<'a>,
-    grid: Grid,
+    grid: Grid<'a>,
     /// What a cell's center keeps from obstacles, m.
     keep: f64,
     /// Whether the region holds a cell; index `row * columns + column`.
@@ -22,24 +23,25 @@ pub(crate) struct Floor<'a> {
 }
 
 /// Cells of the map, or of the rectangle.
-struct Grid {
-    map: OccupancyMap,
+struct Grid<'a> {
+    map: Cow<'a, OccupancyMap>,
 }
 
-impl Grid {
+impl<'a> Grid<'a> {
     /// The cells of a scene's map, or the grid over its rectangle.
-    fn of(scene: &Scene) -> Self {
-        let map = scene.map.clone().unwrap_or_else(|| {
+    fn of(scene: &'a Scene) -> Self {
+        let map = scene.map.as_ref().map(Cow::Borrowed);
+        let map = map.unwrap_or_else(|| {
             let (size, resolution) = (scene.area.max - scene.area.min, scene.area.resolution);
             let count = |length: f64| (length / resolution - 1e-6).ceil().max(1.0) as usize;
             let (columns, rows) = (count(size.x), count(size.y));
-            OccupancyMap {
-                origin: pairtrawl_geometry::Pose::at(scene.area.min, 0.0),
+            Cow::Owned(OccupancyMap {
+                origin: Pose::at(scene.area.min, 0.0),
                 resolution,
                 columns,
                 rows,
                 blocked: vec![false; columns * rows],
-            }
+            })
         });
         Self { map }
     }
@@ -148,16 +150,18 @@ impl<'a> Floor<'a> {
     /// True when a convex region keeps this distance from obstacles, m, and its corners lie inside the area.
     pub(crate) fn has_room(&self, corners: &[Point], keep: f64) -> bool {
         let area = &self.scene.area;
-        let inside = corners.iter().all(|p| {
-            p.x >= area.min.x && p.x <= area.max.x && p.y >= area.min.y && p.y <= area.max.y
-        });
+        let bounds = Bounds {
+            min: area.min,
+            max: area.max,
+        };
+        let inside = corners.iter().all(|p| bounds.contains(*p));
         let distance = || self.clearance.distance(&Hull::of(corners));
         inside && distance().is_none_or(|distance| distance >= keep)
     }
 }
 
 /// The cells of the largest connected region, ascending; the one with the first cell among equals.
-fn largest_region(grid: &Grid, wide: &[bool]) -> Vec<usize> {
+fn largest_region(grid: &Grid<'_>, wide: &[bool]) -> Vec<usize> {
     let mut seen = vec![false; wide.len()];
     let mut largest = Vec::new();
     for first in 0..wide.len() {

@@ -1,5 +1,5 @@
 use crate::random::Random;
-use pairtrawl_geometry::Point;
+use pairtrawl_geometry::{Bounds, Point};
 use pairtrawl_model::{Area, Obstacle};
 
 /// Shortest and longest edge of a box, m.
@@ -13,23 +13,19 @@ pub(crate) fn boxes(
     area: &Area,
     wanted: usize,
 ) -> Result<Vec<Obstacle>, usize> {
-    let mut placed: Vec<(Point, Point)> = Vec::with_capacity(wanted);
+    let mut placed: Vec<Bounds> = Vec::with_capacity(wanted);
     for _ in 0..wanted {
         let found = (0..ATTEMPTS)
             .filter_map(|_| draw(random, area))
-            .find(|(min, max)| {
-                placed
-                    .iter()
-                    .all(|(a, b)| min.x > b.x || max.x < a.x || min.y > b.y || max.y < a.y)
-            });
+            .find(|drawn| placed.iter().all(|other| drawn.distance(other) > 0.0));
         placed.push(found.ok_or(placed.len())?);
     }
-    let as_obstacle = |(min, max)| Obstacle::Box { min, max };
+    let as_obstacle = |Bounds { min, max }| Obstacle::Box { min, max };
     Ok(placed.into_iter().map(as_obstacle).collect())
 }
 
 /// A box in the area, to centimeters; `None` when its size does not fit.
-fn draw(random: &mut Random, area: &Area) -> Option<(Point, Point)> {
+fn draw(random: &mut Random, area: &Area) -> Option<Bounds> {
     let centimeters = |v: f64| (v * 100.0).round() / 100.0;
     let mut span = |low: f64, high: f64| {
         let edge = random.between(EDGE.0, EDGE.1);
@@ -38,5 +34,8 @@ fn draw(random: &mut Random, area: &Area) -> Option<(Point, Point)> {
     };
     let (x, y) = (span(area.min.x, area.max.x), span(area.min.y, area.max.y));
     let ((x, right), (y, top)) = (x?, y?);
-    Some((Point::new(x, y), Point::new(right, top)))
+    Some(Bounds {
+        min: Point::new(x, y),
+        max: Point::new(right, top),
+    })
 }

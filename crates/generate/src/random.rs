@@ -9,31 +9,31 @@ pub(crate) struct Random(ChaCha8Rng);
 impl Random {
     /// A stream of its own for each kind, difficulty and seed.
     pub(crate) fn new(kind: Kind, difficulty: u8, seed: u64) -> Self {
-        let mut key = [0u8; 32];
-        key[..8].copy_from_slice(&seed.to_le_bytes());
-        key[8] = difficulty;
-        key[9] = match kind {
+        let kind = match kind {
             Kind::Witness => 1,
             Kind::Serpentine => 2,
         };
-        Self(ChaCha8Rng::from_seed(key))
+        Self::keyed(seed, difficulty, kind, [0, 0])
     }
 
     /// The stream of litter on a map of this many columns and rows: one seed does not mean the same headings everywhere.
     pub(crate) fn of_litter(seed: u64, columns: usize, rows: usize) -> Self {
-        let mut key = [0u8; 32];
-        key[..8].copy_from_slice(&seed.to_le_bytes());
-        key[9] = 3;
-        key[16..24].copy_from_slice(&(columns as u64).to_le_bytes());
-        key[24..].copy_from_slice(&(rows as u64).to_le_bytes());
-        Self(ChaCha8Rng::from_seed(key))
+        Self::keyed(seed, 0, 3, [columns as u64, rows as u64])
     }
 
     /// The stream of a hall with litter.
     pub(crate) fn of_hall(seed: u64) -> Self {
+        Self::keyed(seed, 0, 4, [0, 0])
+    }
+
+    /// The stream of a key: seed, difficulty, number of the kind and size, each at its place.
+    fn keyed(seed: u64, difficulty: u8, kind: u8, size: [u64; 2]) -> Self {
         let mut key = [0u8; 32];
         key[..8].copy_from_slice(&seed.to_le_bytes());
-        key[9] = 4;
+        key[8] = difficulty;
+        key[9] = kind;
+        key[16..24].copy_from_slice(&size[0].to_le_bytes());
+        key[24..].copy_from_slice(&size[1].to_le_bytes());
         Self(ChaCha8Rng::from_seed(key))
     }
 
