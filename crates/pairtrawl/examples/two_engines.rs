@@ -1,6 +1,6 @@
 //! Drives plans in both engines, this project's and rapier, and prints what each says.
 //!
-//! `cargo run --release --features rapier --example two_engines -- SCENE.toml PLAN.json [SCENE.toml PLAN.json ...]`
+//! `cargo run --release -p pairtrawl --features rapier --example two_engines -- SCENE.toml PLAN.json [SCENE.toml PLAN.json ...]`
 //!
 //! Per plan: verdict, objects gathered, greatest tension, mean drive force of both robots, how far the objects end from where rapier leaves
 //! them (median and greatest), and simulated seconds a second.
