@@ -54,7 +54,7 @@ use clap::{Parser, Subcommand};
   pairtrawl check my-hall/scene.toml out/plan.json
 
 Exit codes: 0 done, 1 internal fault, 2 bad command line, 3 bad input file, 4 proven infeasible, 5 no certified plan
-found, 6 a checked plan is invalid, 7 an execution did not gather everything, 8 cannot read or write, 130 interrupted."
+found, 6 a checked plan or proof is invalid or a plan to be driven cannot be proven, 7 an execution did not gather everything, 8 cannot read or write, 130 interrupted."
 )]
 pub struct Arguments {
     /// Print one machine-readable JSON object on standard output instead of text

@@ -16,7 +16,7 @@ pub enum Exit {
     Infeasible = 4,
     /// No certified plan within the budget.
     NoPlan = 5,
-    /// A checked plan is invalid.
+    /// A checked plan or proof is invalid, or a plan to be driven cannot be proven.
     Invalid = 6,
     /// An execution did not gather everything.
     NotGathered = 7,

@@ -23,7 +23,7 @@ pub struct PlannerParameters {
     /// l of eq. 1: half the separation of the baseline pair away from circles, m.
     pub half_separation: f64,
     /// gamma: margin of an object's circle beyond its minimum bounding circle, m; `None`: the robot radius, of a body
-    /// half its width.
+    /// half its width, and in J_obs of each circle of a body its own radius.
     pub circle_margin: Option<f64>,
     /// N: waypoints of the plan; `None`: from the length of the baseline.
     pub waypoints: Option<usize>,

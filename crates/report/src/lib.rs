@@ -1,5 +1,6 @@
-//! Pages, pictures and tables of plans and runs. Everything here renders a finished [`pairtrawl_model::Summary`] (or
-//! [`pairtrawl_model::LengthCurve`]) and computes nothing but where on the paper things go.
+//! Pages, pictures and tables of plans and runs. Everything here renders what is finished already and computes nothing but
+//! where on the paper things go: a [`pairtrawl_model::Summary`], a [`pairtrawl_model::FailedSummary`], a
+//! [`pairtrawl_model::LengthCurve`] or a [`pairtrawl_model::Bench`]; recordings show a [`pairtrawl_model::Trial`].
 
 mod axis;
 mod bench_page;
