@@ -30,7 +30,7 @@ fn header(w: &mut Writer, bench: &Bench) {
     w.open("header", &[]);
     w.text("h1", &[], &bench.folder);
     let facts = format!(
-        "{} of {} scenes, {} at once, {} threads each; pairtrawl plan {}",
+        "{} of {} scenes, {} at once, threads of each: {}; pairtrawl plan {}",
         bench.scenes.len(),
         bench.wanted,
         bench.jobs,

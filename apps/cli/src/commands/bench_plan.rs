@@ -228,7 +228,7 @@ fn bench_text(bench: &Bench) -> String {
     };
     let _ = writeln!(
         text,
-        "{interrupted}{} scenes of {}, {} at once, {} threads each",
+        "{interrupted}{} scenes of {}, {} at once, threads of each: {}",
         bench.wanted, bench.folder, bench.jobs, bench.threads
     );
     let longest = bench.groups.iter().map(|g| g.name.chars().count()).max();
