@@ -2,7 +2,7 @@
 
 (() => {
   const host = document.getElementById("plots");
-  const margin = { left: 50, right: 82, top: 6, bottom: 32 };
+  const margin = { left: 60, right: 82, top: 6, bottom: 32 };
   const height = 176;
   const plots = [];
   let hover = null;

@@ -331,7 +331,11 @@ fn toggles(w: &mut Writer, summary: &Summary) {
         for (class, sign, x, y, width) in layer.signs() {
             map::sign(w, class, *sign, *x, *y, *width);
         }
-        w.raw(&format!("</svg>{}</label>\n", escape(layer.label())));
+        let label = match layer {
+            Layer::Objects if !summary.left_out.is_empty() => "objects by number, hollow: left",
+            _ => layer.label(),
+        };
+        w.raw(&format!("</svg>{}</label>\n", escape(label)));
     }
     w.raw("</fieldset>\n");
 }
