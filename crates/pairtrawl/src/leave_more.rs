@@ -1,20 +1,22 @@
 //! Objects that no search could include: what is in the way of the best attempt is left, and the rest is planned for.
 
 use crate::error::PlanError;
+use crate::no_plan::NoPlan;
 use crate::not_found::NotFound;
+use crate::passage::first_passage;
 use crate::prepare::Prepared;
 use crate::run::Run;
-use pairtrawl_geometry::{Point, Segment, SweptLine};
-use pairtrawl_model::{ClaimId, Leave, LeftOut, LeftWhy, PairTrajectory, Plan, Scene};
+use pairtrawl_geometry::Point;
+use pairtrawl_model::{ClaimId, Leave, LeftOut, LeftWhy, Plan, Scene};
 
 /// Times that more is left, at most.
 const ROUNDS: usize = 6;
 /// An object farther than this from a place where a claim fails has nothing to do with it, in units of the length scale.
 const NEAR: f64 = 2.0;
 
-/// Plans by `plan` for what is left of a scene for which no plan was found, leaving more and more.
-/// `plan` returns the objects too for which it found no plan. Where the options do not
-/// allow to leave anything, the refusal comes back, and says which objects a plan was found without.
+/// Plans by `plan` for what remains of a scene for which no plan was found, leaving more and more. `plan` also returns the
+/// objects that its result leaves because no plan was found with them. Where the options do not allow to leave anything,
+/// the refusal comes back, and says which objects a plan was found without.
 ///
 /// # Errors
 /// [`PlanError`], as without leaving more.
@@ -25,18 +27,22 @@ pub(crate) fn leave_more<T>(
     mut plan: impl FnMut(&Prepared, &mut Run) -> Result<(T, Vec<usize>), PlanError>,
 ) -> Result<T, PlanError> {
     let may_leave = prepared.options.leave_for(&prepared.scene) == Leave::Unreachable;
-    let mut left: Vec<LeftOut> = Vec::new();
+    if !may_leave && matches!(refused.missing, NoPlan::TooFewWaypoints { .. }) {
+        // What helps there is known: more waypoints.
+        return Err(PlanError::NoPlan(refused));
+    }
     let mut latest = refused.clone();
+    let mut rest = prepared.leaving(&[]);
     for _ in 0..ROUNDS {
-        let scene = prepared.leaving(&left).scene;
-        let more = in_the_way(&latest, &scene, NEAR * prepared.scales.length);
-        left.extend(more.iter().map(|&object| LeftOut {
+        let in_the_way = in_the_way(&latest, &rest.scene, NEAR * prepared.scales.length);
+        let left = |object| LeftOut {
             object,
             why: LeftWhy::NotFound,
             text: format!("no plan was found with it: {}", latest.missing),
-        }));
-        let rest = prepared.leaving(&left);
-        if more.is_empty() || rest.scene.objects.iter().all(|object| object.leave) {
+        };
+        let more: Vec<LeftOut> = in_the_way.into_iter().map(left).collect();
+        rest = rest.leaving(&more);
+        if more.is_empty() || rest.scene.wanted() == 0 {
             break;
         }
         run.note(&format!(
@@ -67,7 +73,7 @@ pub(crate) fn not_found(plan: &Plan) -> impl Iterator<Item = &LeftOut> {
 pub(crate) fn swept_anyway(plan: &Plan, scene: &Scene) -> Vec<usize> {
     not_found(plan)
         .map(|left| left.object)
-        .filter(|&object| !is_outside(&plan.trajectory, scene.objects[object].position))
+        .filter(|&object| first_passage(&plan.trajectory, scene.objects[object].position).is_some())
         .collect()
 }
 
@@ -85,9 +91,9 @@ fn in_the_way(refused: &NotFound, scene: &Scene, near: f64) -> Vec<usize> {
     if let Some(best) = &refused.best {
         for claim in best.certificate.claims.iter().filter(|claim| !claim.holds) {
             if claim.id == ClaimId::EveryObjectCovered {
-                found.extend(
-                    indices().filter(|&i| is_outside(&best.trajectory, scene.objects[i].position)),
-                );
+                found.extend(indices().filter(|&i| {
+                    first_passage(&best.trajectory, scene.objects[i].position).is_none()
+                }));
             } else {
                 found.extend(claim.place.and_then(nearest));
             }
@@ -99,16 +105,4 @@ fn in_the_way(refused: &NotFound, scene: &Scene, near: f64) -> Vec<usize> {
     found.sort_unstable();
     found.dedup();
     found
-}
-
-/// True when the line between the robots never passes over a point.
-fn is_outside(pair: &PairTrajectory, point: Point) -> bool {
-    (0..pair.len().saturating_sub(1)).all(|i| {
-        let (from, to) = (pair.pair(i), pair.pair(i + 1));
-        let line = SweptLine {
-            left: Segment::new(from.left.position(), to.left.position()),
-            right: Segment::new(from.right.position(), to.right.position()),
-        };
-        line.coverage(point).margin < 0.0
-    })
 }

@@ -71,6 +71,7 @@ mod no_plan;
 mod not_found;
 mod observer;
 mod options;
+mod passage;
 mod plan;
 mod planner;
 mod prepare;

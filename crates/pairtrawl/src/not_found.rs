@@ -43,12 +43,6 @@ impl NotFound {
             )
         });
         match (leave, self.missing.remedy()) {
-            // Whatever is left, the waypoints hardly get more.
-            (Some(leave), Some(other))
-                if matches!(self.missing, NoPlan::TooFewWaypoints { .. }) =>
-            {
-                Some(format!("{other}; or {leave}"))
-            }
             (Some(leave), Some(other)) => Some(format!("{leave}; or {other}")),
             (leave, other) => leave.or(other),
         }

@@ -12,7 +12,8 @@ pub use execution::summarize_execution;
 pub use failed::{summarize_failure, summarize_scene};
 
 use crate::check::without_left;
-use pairtrawl_geometry::{Point, Segment, SweptLine};
+use crate::passage::first_passage;
+use pairtrawl_geometry::Point;
 use pairtrawl_model::{
     Event, PairTrajectory, Plan, RehearsalRecord, Scene, SceneOutline, StageTime, Summary,
 };
@@ -89,15 +90,8 @@ pub fn summarize(
 
 /// When the line between the robots first passes over a point, s.
 fn swept_at(trajectory: &PairTrajectory, times: &[f64], point: Point) -> Option<f64> {
-    let steps = trajectory.left.windows(2).zip(trajectory.right.windows(2));
-    steps.enumerate().find_map(|(i, (l, r))| {
-        let line = SweptLine {
-            left: Segment::new(l[0].position(), l[1].position()),
-            right: Segment::new(r[0].position(), r[1].position()),
-        };
-        let instant = line.coverage(point).instant?;
-        Some(times[i] + instant * (times[i + 1] - times[i]))
-    })
+    let (step, instant) = first_passage(trajectory, point)?;
+    Some(times[step] + instant * (times[step + 1] - times[step]))
 }
 
 fn events(record: &RehearsalRecord) -> Vec<Event> {
