@@ -9,7 +9,7 @@ use pairtrawl_certificate::infeasibility;
 use pairtrawl_geometry::Segment;
 use pairtrawl_model::{Leave, LeftOut, PairTrajectory, Scales, Scene};
 use pairtrawl_route::RouteError;
-use pairtrawl_world::World;
+use pairtrawl_world::{World, WorldError};
 use std::borrow::Cow;
 
 /// A scene for which no proof rules a plan out, and its world. The stages between here and the certificate see
@@ -61,25 +61,33 @@ pub(crate) fn prepare<'a>(
         }
         Some(infeasible) => return Err(PlanError::Infeasible(infeasible)),
     };
-    let net_length = options.net_length_for(&scene);
-    let scales = Scales::of(&scene);
-    let scaled = scales.scene(&scene);
-    let net_length = net_length.map(|length| scales.scaled(length));
-    let world = run
-        .stage(Stage::World, || World::new(&scaled, net_length))?
-        .map_err(|error| error.in_meters(scales.length))?;
-    Ok(Prepared {
-        scene,
-        options,
-        scales,
-        scaled,
-        net_length,
-        world,
-        left_out,
-    })
+    let prepared = run.stage(Stage::World, || Prepared::new(scene, options, left_out))?;
+    Ok(prepared?)
 }
 
 impl<'a> Prepared<'a> {
+    /// Scales and world of a scene in which `left_out` are marked.
+    pub fn new(
+        scene: Cow<'a, Scene>,
+        options: &'a PlanOptions,
+        left_out: Vec<LeftOut>,
+    ) -> Result<Self, WorldError> {
+        let scales = Scales::of(&scene);
+        let scaled = scales.scene(&scene);
+        let net_length = options.net_length_for(&scene);
+        let net_length = net_length.map(|length| scales.scaled(length));
+        let world = World::new(&scaled, net_length);
+        Ok(Self {
+            world: world.map_err(|error| error.in_meters(scales.length))?,
+            scene,
+            options,
+            scales,
+            scaled,
+            net_length,
+            left_out,
+        })
+    }
+
     /// The same with a net of this length, m; `None`: free.
     pub fn with_net_length(&self, options: &'a PlanOptions, length: Option<f64>) -> Prepared<'a> {
         Prepared {
@@ -103,7 +111,7 @@ impl<'a> Prepared<'a> {
             scaled,
             world,
             left_out,
-            ..self.clone()
+            ..*self
         }
     }
 

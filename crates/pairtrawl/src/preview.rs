@@ -3,12 +3,11 @@
 use crate::error::PlanError;
 use crate::infeasible::Infeasible;
 use crate::options::PlanOptions;
-use crate::prepare::proofs;
+use crate::prepare::{Prepared, proofs};
 use crate::summary::summarize_scene;
-use pairtrawl_model::{Circle, Scene};
-use pairtrawl_model::{Scales, Summary};
+use pairtrawl_model::{Scene, Summary};
 use pairtrawl_route::visiting_orders;
-use pairtrawl_world::{World, WorldError};
+use std::borrow::Cow;
 
 /// What is known of a scene before it is planned.
 #[derive(Clone, Debug, PartialEq)]
@@ -25,32 +24,24 @@ pub struct Preview {
 /// # Errors
 /// When the scene is no input for the planner.
 pub fn preview(scene: &Scene, options: &PlanOptions) -> Result<Preview, PlanError> {
-    let net_length = options.net_length_for(scene);
     let infeasible = proofs(scene, options);
-    let marked = match &infeasible {
-        Some(infeasible) => scene.leaving(infeasible.objects()),
-        None => scene.clone(),
+    let (marked, left_out) = match &infeasible {
+        Some(infeasible) => (
+            Cow::Owned(scene.leaving(infeasible.objects())),
+            infeasible.left_out(),
+        ),
+        None => (Cow::Borrowed(scene), Vec::new()),
     };
-    let (circles, order) = circles(&marked, net_length)?;
-    let mut summary = summarize_scene(&marked, net_length, infeasible.as_ref());
-    summary.circles = circles;
-    summary.order = order;
+    let prepared = Prepared::new(marked, options, left_out)?;
+    let (scales, world) = (&prepared.scales, &prepared.world);
+    // No order where none leads to all circles.
+    let orders = visiting_orders(world, &prepared.scaled, 1).unwrap_or_default();
+    let net_length = options.net_length_for(scene);
+    let mut summary = summarize_scene(&prepared.scene, net_length, infeasible.as_ref());
+    summary.circles = world.circles.iter().map(|c| scales.circle(c)).collect();
+    summary.order = orders.into_iter().next().unwrap_or_default();
     Ok(Preview {
         infeasible,
         summary,
     })
-}
-
-/// Circles, in m, and their shortest visiting order; no order where none leads to all of them.
-fn circles(
-    scene: &Scene,
-    net_length: Option<f64>,
-) -> Result<(Vec<Circle>, Vec<usize>), WorldError> {
-    let scales = Scales::of(scene);
-    let scaled = scales.scene(scene);
-    let net_length = net_length.map(|length| scales.scaled(length));
-    let world = World::new(&scaled, net_length).map_err(|error| error.in_meters(scales.length))?;
-    let circles = world.circles.iter().map(|c| scales.circle(c)).collect();
-    let orders = visiting_orders(&world, &scaled, 1).unwrap_or_default();
-    Ok((circles, orders.into_iter().next().unwrap_or_default()))
 }

@@ -69,7 +69,9 @@ impl World {
         Self {
             object_circles: circles::object_circles(scene),
             circles: circles::merged_circles(scene, net_length),
-            ..self.clone()
+            grid: self.grid.clone(),
+            field: self.field.clone(),
+            pieces: self.pieces.clone(),
         }
     }
 }
