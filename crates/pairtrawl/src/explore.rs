@@ -94,9 +94,10 @@ pub(crate) fn explore(
         .map(|((start, baseline), has_room)| {
             let least = || optimum(&problem, baseline.as_ref()?, may_go_on);
             Explored {
-                objective: match has_room {
-                    true => least().unwrap_or(f64::INFINITY),
-                    false => UNKNOWN,
+                objective: if has_room {
+                    least().unwrap_or(f64::INFINITY)
+                } else {
+                    UNKNOWN
                 },
                 start,
                 baseline,

@@ -109,7 +109,7 @@ pub(crate) fn from_before(
 }
 
 /// Plans a prepared scene from its starts.
-pub(crate) fn from_starts(
+fn from_starts(
     prepared: &Prepared,
     reference: &SceneReference,
     run: &mut Run,
