@@ -51,7 +51,7 @@ const BEND_STIFFNESS: f64 = 15.0;
 const LOST: f64 = 1.0;
 /// ... over this length to both sides of the stop, in comfortable turning radii.
 const KEPT: f64 = 3.0;
-/// Stretches between kept ones that are shorter than this are kept too.
+/// Stretches beside kept ones that have fewer vertices than this are kept too.
 const LEAST_STRETCH: usize = 12;
 /// Times that more is kept, at most.
 const ROUNDS: usize = 4;
@@ -106,7 +106,8 @@ fn relaxed(
     while from < last {
         let to = (from + 1..last).find(|&i| kept[i] != kept[from + 1]);
         let to = to.unwrap_or(last);
-        if kept[from + 1] || to - from < LEAST_STRETCH {
+        let is_all = (from, to) == (0, last);
+        if kept[from + 1] || (to - from < LEAST_STRETCH && !is_all) {
             points.extend_from_slice(&searched[from + 1..=to]);
         } else {
             let here = held.iter().zip(&itinerary.goals);
