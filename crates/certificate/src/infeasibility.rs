@@ -85,7 +85,8 @@ pub fn prove(scene: &Scene, net_length: Option<f64>) -> Vec<Proof> {
     proofs(scene, net_length, true)
 }
 
-/// The objects that provably cannot be swept, ascending: those of [`prove`], in less time, without words and moves.
+/// The objects that provably cannot be swept, of those that are not left, ascending: those of [`prove`], in less time,
+/// without words and moves.
 pub fn impossible_objects(scene: &Scene, net_length: Option<f64>) -> Vec<usize> {
     let proofs = proofs(scene, net_length, false);
     proofs.iter().filter_map(Proof::object).collect()
@@ -124,9 +125,14 @@ fn ways(
 ) -> Option<Proof> {
     let scene = things.scene;
     let mut in_words = 0;
-    let mut space = FreeSpace::new(things);
     let wanted = |&i: &usize| !scene.objects[i].leave && about[i].is_none();
     let mut open: Vec<usize> = (0..scene.objects.len()).filter(wanted).collect();
+    // Without words only objects are asked for, not whether a robot has a way.
+    let only_objects = !things.in_words;
+    if open.is_empty() && only_objects {
+        return None;
+    }
+    let mut space = FreeSpace::new(things);
     loop {
         let reached = space.reach(scene)?;
         if let Some(robot) = reached.robot_without_way(&space, scene) {
@@ -155,7 +161,7 @@ fn ways(
         } else {
             undecided
         };
-        if open.is_empty() && reached.has_sure_way(&space, scene) {
+        if open.is_empty() && (only_objects || reached.has_sure_way(&space, scene)) {
             return None;
         }
         space = space.refined(things)?;

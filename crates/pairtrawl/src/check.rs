@@ -46,14 +46,14 @@ fn unfounded(scene: &Scene, candidate: &Candidate) -> Option<String> {
         return None;
     }
     let net_length = candidate.overrides.net_length.unwrap_or(scene.net.length);
-    // What is left already needs a proof as well.
-    let mut whole = scene.clone();
-    for left in left_out {
+    // Proofs are sought for what is called proven, and for nothing else.
+    let called_proven = || left_out.iter().filter(|l| l.why == LeftWhy::Proven);
+    let mut whole = scene.leaving(0..scene.objects.len());
+    for left in called_proven() {
         whole.objects[left.object].leave = false;
     }
     let proven = infeasibility::impossible_objects(&whole, net_length);
-    let mut called_proven = left_out.iter().filter(|l| l.why == LeftWhy::Proven);
-    let left = called_proven.find(|left| !proven.contains(&left.object))?;
+    let left = called_proven().find(|left| !proven.contains(&left.object))?;
     Some(format!(
         "the plan leaves object {} as proven impossible, but there is no such proof",
         left.object

@@ -1,6 +1,6 @@
 use super::free_space::{FreeSpace, Reached, Run, runs};
 use super::joined::joined;
-use super::least_move::{advice, least_move};
+use super::least_move::{Move, advice, least_move};
 use super::narrowest::narrowest;
 use super::pinned;
 use super::proof::{Proof, ProofKind};
@@ -80,9 +80,15 @@ pub(super) fn judge(
                 reach,
                 grid: space.evidence(may),
             };
-            return Verdict::Enclosed(match in_words {
-                true => proof(things, space, reached, kind, run),
-                false => without_words(things, kind, run),
+            let (message, least_move) = if in_words {
+                words(things, space, reached, (object, reach), run)
+            } else {
+                (in_brief(things, object, run), None)
+            };
+            return Verdict::Enclosed(Proof {
+                kind,
+                message,
+                least_move,
             });
         }
     }
@@ -252,31 +258,23 @@ pub(super) fn is_surely_reachable(
     reached.surely.iter().all(beside)
 }
 
-/// A proof without the reason in full.
-fn without_words(things: &Things<'_>, kind: ProofKind, run: Run) -> Proof {
-    let object = kind.object().unwrap_or_default();
-    Proof {
-        kind,
-        message: format!(
-            "object {object} at {} is enclosed: no free line leads from it to a place that the {} can reach",
-            place(things.scene.objects[object].position),
-            run.name
-        ),
-        least_move: None,
-    }
+/// That an object is enclosed, without the reason in full.
+fn in_brief(things: &Things<'_>, object: usize, run: Run) -> String {
+    format!(
+        "object {object} at {} is enclosed: no free line leads from it to a place that the {} can reach",
+        place(things.scene.objects[object].position),
+        run.name
+    )
 }
 
-/// Words for an object that one robot's half of the line cannot reach.
-fn proof(
+/// Why one robot's half of the line, which reaches that far, cannot get to an object, and the least move that would help.
+fn words(
     things: &Things<'_>,
     space: &FreeSpace,
     reached: &Reached,
-    kind: ProofKind,
+    (object, reach): (usize, f64),
     run: Run,
-) -> Proof {
-    let ProofKind::ObjectEnclosed { object, reach, .. } = kind else {
-        return without_words(things, kind, run);
-    };
+) -> (String, Option<Move>) {
     let Run {
         side, name: robot, ..
     } = run;
@@ -323,9 +321,5 @@ fn proof(
         Some(_) => format!("{message}; {}", advice(least_move)),
         None => message,
     };
-    Proof {
-        kind,
-        message,
-        least_move,
-    }
+    (message, least_move)
 }
