@@ -5,7 +5,7 @@
 
 use crate::active::ActiveSet;
 use crate::anchor::{Anchor, PairAt, PointAt};
-use crate::block::{Item, by_anchor};
+use crate::block::{Block, Item, by_anchor};
 use crate::costs;
 use crate::costs::distance::Distance;
 use crate::iterate::{Iterate, STAGE};
@@ -35,18 +35,26 @@ impl System {
         self.add_pairs(problem, x, set, mu);
         self.add_bends(problem, x);
         self.add_points(problem, x, set, mu);
-        for group in by_anchor(&mut set.bodies.items) {
-            let (at, mut local) = (group[0].at, Local::new());
-            add_rows(&mut local, group, problem, (x, &set.frames), mu);
-            at.scatter(&local, &set.frames, self);
-        }
-        for group in by_anchor(&mut set.lines.items) {
-            let (at, mut local) = (group[0].at, Local::new());
-            add_rows(&mut local, group, problem, (x, &set.frames), mu);
-            at.scatter(&local, &set.frames, self);
-        }
+        let at = (x, set.frames.as_slice());
+        self.add_rows_alone(&mut set.bodies, problem, at, mu);
+        self.add_rows_alone(&mut set.lines, problem, at, mu);
         if let Some(robot) = problem.frozen {
             self.freeze(robot);
+        }
+    }
+
+    /// Rows at anchors that have no cost and no equality.
+    fn add_rows_alone<R: Rules<K>, const K: usize>(
+        &mut self,
+        block: &mut Block<R, K>,
+        problem: &Problem,
+        (x, frames): (&Iterate, &[Step]),
+        mu: f64,
+    ) {
+        for group in by_anchor(&mut block.items) {
+            let (at, mut local) = (group[0].at, Local::new());
+            add_rows(&mut local, group, problem, (x, frames), mu);
+            at.scatter(&local, frames, self);
         }
     }
 

@@ -138,17 +138,25 @@ impl Term<POINT> for PointDistance<'_> {
     }
 }
 
-/// The circle around a robot's axle center near an object, from which it keeps.
+/// A circle that a robot has near a thing, from which it keeps.
+pub(crate) trait KeepOff: Copy {
+    /// Those in play for a circle of this radius that a robot has at a point.
+    fn near(sight: &mut Sight, here: (usize, Side), p: Point, radius: f64, add: impl FnMut(Self));
+
+    /// For the center of a circle of this radius.
+    fn distance(self, problem: &Problem, radius: f64) -> impl Term<POINT>;
+}
+
+/// A circle of a robot near an object, from which it keeps; as a rule of a point, the one around the axle center.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct OffObject {
     pub object: u32,
     pub tier: Tier,
 }
 
-impl OffObject {
-    /// Those in play for a circle of this radius that a robot has at a point.
-    pub fn near(
-        sight: &Sight,
+impl KeepOff for OffObject {
+    fn near(
+        sight: &mut Sight,
         (stage, robot): (usize, Side),
         p: Point,
         radius: f64,
@@ -157,12 +165,9 @@ impl OffObject {
         let problem = sight.problem;
         let margin = problem.reserve.clearance;
         for &object in problem.object_index.near(p) {
-            if sight.must_pass(robot, stage, object) {
-                continue;
-            }
             let (center, footprint) = problem.objects[object as usize];
             let c = p.distance(center) - (footprint + radius) - margin;
-            if c < LOOK_AHEAD {
+            if c < LOOK_AHEAD && !sight.must_pass(robot, stage, object) {
                 for tier in tiers(problem, c, margin) {
                     add(Self { object, tier });
                 }
@@ -170,9 +175,8 @@ impl OffObject {
         }
     }
 
-    /// For the center of a circle of this radius.
     #[inline]
-    pub fn distance(self, problem: &Problem, radius: f64) -> CenterDistance {
+    fn distance(self, problem: &Problem, radius: f64) -> impl Term<POINT> {
         let (center, footprint) = problem.objects[self.object as usize];
         let reserve = self.tier.reserve(problem, problem.reserve.clearance);
         CenterDistance {
@@ -209,16 +213,15 @@ impl Rule<PointAt, POINT> for OffObject {
     }
 }
 
-/// The circle around a robot's axle center near an obstacle, from which it keeps.
+/// A circle of a robot near an obstacle, from which it keeps; as a rule of a point, the one around the axle center.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct OffObstacle {
     pub piece: u32,
     pub tier: Tier,
 }
 
-impl OffObstacle {
-    /// Those in play for a circle of this radius at a point.
-    pub fn near(sight: &mut Sight, p: Point, radius: f64, mut add: impl FnMut(Self)) {
+impl KeepOff for OffObstacle {
+    fn near(sight: &mut Sight, _: (usize, Side), p: Point, radius: f64, mut add: impl FnMut(Self)) {
         let problem = sight.problem;
         let margin = problem.reserve.clearance;
         let reach = radius + margin + LOOK_AHEAD;
@@ -232,9 +235,8 @@ impl OffObstacle {
         });
     }
 
-    /// For the center of a circle of this radius.
     #[inline]
-    pub fn distance(self, problem: &Problem, radius: f64) -> PointDistance<'_> {
+    fn distance(self, problem: &Problem, radius: f64) -> impl Term<POINT> {
         PointDistance {
             region: problem.pieces.get(self.piece),
             keep: radius + self.tier.reserve(problem, problem.reserve.clearance),
@@ -246,7 +248,7 @@ impl Rule<PointAt, POINT> for OffObstacle {
     fn look_up(sight: &mut Sight, at: PointAt, add: &mut impl FnMut(Self)) {
         let p = sight.x.position(at.stage(), at.robot());
         if let Some(radius) = sight.problem.disc {
-            Self::near(sight, p, radius, add);
+            Self::near(sight, (at.stage(), at.robot()), p, radius, add);
         }
     }
 

@@ -138,23 +138,17 @@ impl Rule<PairAt, PAIR> for FarEnoughApart {
                 ratio,
             };
         }
-        let reserve = problem.reserve.separation;
         let least = problem.robot.least_separation();
-        let ratio = problem.planner.min_ratio;
-        match problem.net_length {
-            Some(length) => SeparationAbove {
-                lower: (ratio * length).max(least) + reserve,
-                ratio: 0.0,
-            },
+        let min_ratio = problem.planner.min_ratio;
+        let (of_net, ratio) = match problem.net_length {
+            Some(length) => (min_ratio * length, 0.0),
             // 0.1 d_max stays below two radii up to 20 radii.
-            None if least > 0.0 => SeparationAbove {
-                lower: least + reserve,
-                ratio: 0.0,
-            },
-            None => SeparationAbove {
-                lower: reserve,
-                ratio,
-            },
+            None if least > 0.0 => (0.0, 0.0),
+            None => (0.0, min_ratio),
+        };
+        SeparationAbove {
+            lower: of_net.max(least) + problem.reserve.separation,
+            ratio,
         }
     }
 
