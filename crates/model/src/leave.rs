@@ -23,11 +23,6 @@ impl Leave {
         }
     }
 
-    /// The one of this name.
-    pub fn of_name(name: &str) -> Option<Self> {
-        Self::ALL.into_iter().find(|leave| leave.name() == name)
-    }
-
     /// True for the default.
     pub fn is_none(&self) -> bool {
         *self == Self::None

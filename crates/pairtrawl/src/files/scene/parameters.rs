@@ -26,7 +26,10 @@ pub(super) fn robot(
     let Some(table) = root.table("robot")? else {
         return Ok((Robot::default(), None));
     };
-    let preset = table.get("preset").map(|v| preset(&v)).transpose()?;
+    let preset = table.get("preset");
+    let preset = preset
+        .map(|v| named(&v, Preset::ALL, Preset::name))
+        .transpose()?;
     let standard = preset.map_or_else(Robot::default, Preset::robot);
     let mut robot = standard;
     set(
@@ -57,11 +60,16 @@ pub(super) fn robot(
     Ok((robot, preset))
 }
 
-fn preset(value: &Value<'_>) -> Result<Preset, FileError> {
-    let name = value.text()?;
-    let known = Preset::ALL.into_iter().find(|p| p.name() == name);
+/// The one of these that has the name.
+fn named<T: Copy, const N: usize>(
+    value: &Value<'_>,
+    all: [T; N],
+    name: impl Fn(T) -> &'static str,
+) -> Result<T, FileError> {
+    let given = value.text()?;
+    let known = all.into_iter().find(|&one| name(one) == given);
     known.ok_or_else(|| {
-        let names = Preset::ALL.map(|p| format!("{:?}", p.name()));
+        let names = all.map(|one| format!("{:?}", name(one)));
         value.refuse(names.join(" or "))
     })
 }
@@ -138,8 +146,7 @@ pub(super) fn planner(
         p.alternations = value.count(1, MOST_ALTERNATIONS)?;
     }
     if let Some(value) = table.get("leave") {
-        p.leave = Leave::of_name(value.text()?)
-            .ok_or_else(|| value.refuse("\"none\" or \"unreachable\""))?;
+        p.leave = named(&value, Leave::ALL, Leave::name)?;
     }
     for (low, high, which) in [
         (p.min_ratio, p.rest_ratio, "rest_ratio"),
