@@ -62,7 +62,7 @@ pub fn read_checkable(path: &Path) -> Result<Checkable, FileError> {
     let bytes = read_bounded(path, PLAN_BYTES)?;
     let text = text(path, &bytes)?;
     // Whatever is not of the other format is judged as a plan.
-    match is_infeasible(text) {
+    match is_infeasible(text, path) {
         true => Ok(Checkable::Infeasible(parse_infeasible(text, path)?)),
         false => Ok(Checkable::Plan(Box::new(parse_plan(text, path)?))),
     }

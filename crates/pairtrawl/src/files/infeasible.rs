@@ -3,13 +3,13 @@
 mod convert;
 pub(super) mod file;
 
+use super::json::{from_json, stated_format};
 use super::parts::Reference;
 use super::plan::file::FileOverrides;
 use super::{FileError, Problem};
 use file::{FORMAT, File, FileProof};
 use pairtrawl_certificate::infeasibility::{Move, Proof, ProofKind};
 use pairtrawl_model::{Overrides, SceneReference};
-use serde::Deserialize;
 use std::path::Path;
 
 /// Proofs as they stand in a file, perhaps one made by another program. They are claims until they are verified.
@@ -61,20 +61,12 @@ pub fn infeasible_json(
 /// # Errors
 /// When it is not JSON, is of another format, has no proof, or one that does not name what it is about.
 pub fn parse_infeasible(text: &str, path: &Path) -> Result<InfeasibleFile, FileError> {
-    let syntax = |e: serde_json::Error| FileError {
-        path: path.to_owned(),
-        line: (e.line() > 0).then(|| e.line()),
-        problem: Problem::Syntax {
-            reason: e.to_string(),
-        },
-    };
-    let header: Header = serde_json::from_str(text).map_err(syntax)?;
-    let found = header.format.unwrap_or_default();
+    let found = stated_format(text, path)?.unwrap_or_default();
     if found != FORMAT {
         let expected = FORMAT;
         return Err(FileError::new(path, Problem::Format { found, expected }));
     }
-    let file: File = serde_json::from_str(text).map_err(syntax)?;
+    let file: File = from_json(text, path)?;
     let refuse = |field: String, value: String, bound: &str| {
         let bound = bound.to_owned();
         FileError::new(
@@ -110,12 +102,6 @@ pub fn parse_infeasible(text: &str, path: &Path) -> Result<InfeasibleFile, FileE
 
 /// True when a text says that it is a file with proofs.
 #[cfg(feature = "fs")]
-pub(super) fn is_infeasible(text: &str) -> bool {
-    let header = serde_json::from_str::<Header>(text);
-    header.is_ok_and(|header| header.format.as_deref() == Some(FORMAT))
-}
-
-#[derive(Deserialize)]
-struct Header {
-    format: Option<String>,
+pub(super) fn is_infeasible(text: &str, path: &Path) -> bool {
+    stated_format(text, path).is_ok_and(|format| format.as_deref() == Some(FORMAT))
 }

@@ -14,6 +14,7 @@ mod error;
 mod execution;
 mod hash;
 mod infeasible;
+mod json;
 mod parts;
 mod plan;
 mod scene;

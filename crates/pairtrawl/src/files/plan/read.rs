@@ -1,12 +1,12 @@
 use super::FORMAT;
 use super::file::{File, FileLeftOut, FileNetLength, FileRehearsal, FileSolver};
+use crate::files::json::{from_json, stated_format};
 use crate::files::{FileError, Problem};
 use pairtrawl_geometry::{Point, Pose};
 use pairtrawl_model::{
     Circle, Cost, LeftOut, Overrides, PairTrajectory, Rehearsal, Scene, SceneReference,
     SolverReport, SolverStatus, default_step_time,
 };
-use serde::Deserialize;
 use std::path::Path;
 
 /// A plan as it stands in a file, perhaps one made by another program. Its certificate is not read: claims are derived anew.
@@ -63,16 +63,7 @@ impl PlanFile {
 /// # Errors
 /// When it is not JSON, lacks one of the first four fields, or has numbers that mean nothing.
 pub fn parse_plan(text: &str, path: &Path) -> Result<PlanFile, FileError> {
-    let syntax = |e: serde_json::Error| FileError {
-        path: path.to_owned(),
-        line: (e.line() > 0).then(|| e.line()),
-        problem: Problem::Syntax {
-            reason: e.to_string(),
-        },
-    };
-    // The format first: a file of another kind has other fields.
-    let header: Header = serde_json::from_str(text).map_err(syntax)?;
-    match header.format {
+    match stated_format(text, path)? {
         Some(format) if format == FORMAT => {}
         Some(found) => {
             return Err(FileError::new(
@@ -94,15 +85,10 @@ pub fn parse_plan(text: &str, path: &Path) -> Result<PlanFile, FileError> {
             ));
         }
     }
-    let file: File = serde_json::from_str(text).map_err(syntax)?;
+    let file: File = from_json(text, path)?;
     file.check()
         .map_err(|problem| FileError::new(path, problem))?;
     Ok(file.into())
-}
-
-#[derive(Deserialize)]
-struct Header {
-    format: Option<String>,
 }
 
 impl File {
