@@ -12,6 +12,9 @@ use std::fmt::Debug;
 
 /// What `K` local coordinates are, at one place of the course.
 pub(crate) trait Anchor<const K: usize>: Copy + Ord + Debug {
+    /// Whether all constraints here are affine in the coordinates: they are then written down once, when they are looked up.
+    const AFFINE: bool = false;
+
     /// The coordinates of a point, whose steps have these frames.
     fn coordinates(self, x: &Iterate, frames: &[Step]) -> [f64; K];
     /// Adds derivatives to the variables that the coordinates move with.
@@ -46,7 +49,12 @@ pub(crate) struct LineAt(pub u32);
 
 impl StepAt {
     pub fn new(step: usize, robot: Side, coordinate: Coordinate) -> Self {
-        let index = 2 * step + robot.index();
+        Self::of(2 * step + robot.index(), coordinate)
+    }
+
+    /// A coordinate of the robot-step that has this place in lists of them.
+    #[inline]
+    pub fn of(index: usize, coordinate: Coordinate) -> Self {
         Self((2 * index) as u32 + u32::from(coordinate == Coordinate::Turn))
     }
 
@@ -94,6 +102,8 @@ impl PoseAt {
 }
 
 impl Anchor<STEP> for StepAt {
+    const AFFINE: bool = true;
+
     #[inline]
     fn coordinates(self, _: &Iterate, frames: &[Step]) -> [f64; STEP] {
         [frames[self.index()].coordinate(self.coordinate())]

@@ -4,8 +4,8 @@
 //! dual regularization, `A dx + h = delta (lambda+ - lambda)`, which leaves `A^T A / delta` in the band.
 
 use crate::active::ActiveSet;
-use crate::anchor::{Anchor, PairAt, PointAt};
-use crate::block::{Block, Item, by_anchor};
+use crate::anchor::{Anchor, PairAt, PointAt, StepAt};
+use crate::block::Block;
 use crate::costs;
 use crate::costs::distance::Distance;
 use crate::iterate::{Iterate, STAGE};
@@ -31,7 +31,7 @@ impl System {
         mu: f64,
     ) {
         self.reset(x.stages.len());
-        self.add_steps(problem, x, set, lambda, mu);
+        self.add_steps(problem, set, lambda, mu);
         self.add_pairs(problem, x, set, mu);
         self.add_bends(problem, x);
         self.add_points(problem, x, set, mu);
@@ -51,35 +51,30 @@ impl System {
         (x, frames): (&Iterate, &[Step]),
         mu: f64,
     ) {
-        for group in by_anchor(&mut block.items) {
-            let (at, mut local) = (group[0].at, Local::new());
-            add_rows(&mut local, group, problem, (x, frames), mu);
+        let mut rows = block.remaining();
+        while let Some(at) = rows.anchor() {
+            let (z, mut local) = (at.coordinates(x, frames), Local::new());
+            rows.add_to(&mut local, problem, (at, &z), mu);
             at.scatter(&local, frames, self);
         }
     }
 
     /// The rows of steps with the equalities and the cost of distance: together they decide how a step's frame bends.
-    fn add_steps(
-        &mut self,
-        problem: &Problem,
-        x: &Iterate,
-        set: &mut ActiveSet,
-        lambda: &[f64],
-        mu: f64,
-    ) {
+    fn add_steps(&mut self, problem: &Problem, set: &mut ActiveSet, lambda: &[f64], mu: f64) {
         let (frames, dual) = (&set.frames, 1.0 / DUAL_REGULARIZATION);
         let distance = Distance::of(&problem.planner);
-        let mut groups = by_anchor(&mut set.steps.items).peekable();
+        let mut rows = set.steps.remaining();
         for (index, (step, &force)) in frames.iter().zip(lambda).enumerate() {
             let mut d = StepDerivatives::default();
             d.gradients[0][1] = force + dual * step.across;
             d.gradients[1][1] = force;
             d.diagonal[1] = dual;
             d.add_cost(Coordinate::Along, &distance.jet(&[step.along]));
-            while let Some(group) = groups.next_if(|group| group[0].at.index() == index) {
-                let (at, mut local) = (group[0].at, Local::new());
-                add_rows(&mut local, group, problem, (x, frames), mu);
-                d.add(at.coordinate(), &local);
+            for coordinate in Coordinate::BOTH {
+                let (at, z) = (StepAt::of(index, coordinate), [step.coordinate(coordinate)]);
+                let mut local = Local::new();
+                rows.add_to(&mut local, problem, (at, &z), mu);
+                d.add(coordinate, &local);
             }
             d.bend(step, force);
             self.scatter_step(index / 2, Side::BOTH[index % 2], step, &d);
@@ -87,13 +82,11 @@ impl System {
     }
 
     fn add_pairs(&mut self, problem: &Problem, x: &Iterate, set: &mut ActiveSet, mu: f64) {
-        let mut groups = by_anchor(&mut set.pairs.items).peekable();
+        let mut rows = set.pairs.remaining();
         for i in 0..x.stages.len() {
             let (at, z, mut local) = (PairAt(i as u32), x.pair(i), Local::new());
             costs::of_pair(problem, i, &mut |cost| local.add_cost(&cost.convex_jet(&z)));
-            if let Some(group) = groups.next_if(|group| group[0].at == at) {
-                add_rows(&mut local, group, problem, (x, &set.frames), mu);
-            }
+            rows.add_to(&mut local, problem, (at, &z), mu);
             at.scatter(&local, &set.frames, self);
         }
     }
@@ -111,7 +104,7 @@ impl System {
     }
 
     fn add_points(&mut self, problem: &Problem, x: &Iterate, set: &mut ActiveSet, mu: f64) {
-        let mut groups = by_anchor(&mut set.points.items).peekable();
+        let mut rows = set.points.remaining();
         for stage in 0..x.stages.len() {
             for robot in Side::BOTH {
                 let at = PointAt::new(stage, robot);
@@ -120,31 +113,11 @@ impl System {
                     any = true;
                     local.add_cost(&cost.convex_jet(&z));
                 });
-                if let Some(group) = groups.next_if(|group| group[0].at == at) {
-                    any = true;
-                    add_rows(&mut local, group, problem, (x, &set.frames), mu);
-                }
-                if any {
+                let count = rows.add_to(&mut local, problem, (at, &z), mu);
+                if any || count > 0 {
                     at.scatter(&local, &set.frames, self);
                 }
             }
         }
-    }
-}
-
-/// Adds the rows of one anchor.
-#[inline]
-fn add_rows<R: Rules<K>, const K: usize>(
-    local: &mut Local<K>,
-    group: &mut [Item<R, K>],
-    problem: &Problem,
-    (x, frames): (&Iterate, &[Step]),
-    mu: f64,
-) {
-    let at = group[0].at;
-    let z = at.coordinates(x, frames);
-    for item in group {
-        (item.row.c, item.gradient) = item.rule.slope(problem, at, &z);
-        local.add_row(&mut item.row, &item.gradient, mu);
     }
 }

@@ -2,6 +2,8 @@
 
 use crate::anchor::Anchor;
 use crate::iterate::Iterate;
+use crate::local::Local;
+use crate::look_up::Beginning;
 use crate::merit::Merit;
 use crate::problem::Problem;
 use crate::row::Row;
@@ -14,6 +16,8 @@ use std::ops::Range;
 pub(crate) struct Item<R: Rules<K>, const K: usize> {
     pub at: R::At,
     pub rule: R,
+    /// Value of an affine constraint where all coordinates are zero; of others nothing.
+    offset: f64,
     /// Gradient of the constraint at the iterate.
     pub gradient: [f64; K],
     pub row: Row,
@@ -35,16 +39,49 @@ impl<R: Rules<K>, const K: usize> Item<R, K> {
     fn key(&self) -> (R::At, (u8, u32)) {
         (self.at, self.rule.key())
     }
+
+    /// The constraint's value.
+    #[inline(always)]
+    fn value(&self, problem: &Problem, z: &[f64; K]) -> f64 {
+        if R::At::AFFINE {
+            self.offset + inner(&self.gradient, z)
+        } else {
+            self.rule.value(problem, self.at, z)
+        }
+    }
+
+    /// Takes the constraint's value and gradient.
+    #[inline(always)]
+    fn evaluate(&mut self, problem: &Problem, z: &[f64; K]) {
+        if R::At::AFFINE {
+            self.row.c = self.value(problem, z);
+        } else {
+            (self.row.c, self.gradient) = self.rule.slope(problem, self.at, z);
+        }
+    }
 }
 
 impl<R: Rules<K>, const K: usize> Block<R, K> {
-    /// Adds a row on the central path of `mu`, where its constraint has value `c`.
-    pub fn push(&mut self, at: R::At, rule: R, c: f64, price: f64, mu: f64) {
+    /// Adds a row on the central path at coordinates `z`.
+    pub fn push(
+        &mut self,
+        problem: &Problem,
+        (at, rule): (R::At, R),
+        z: &[f64; K],
+        Beginning { elastic, mu }: Beginning,
+    ) {
+        let (offset, gradient) = if R::At::AFFINE {
+            rule.slope(problem, at, &[0.0; K])
+        } else {
+            (0.0, [0.0; K])
+        };
+        let c = rule.value(problem, at, z);
         self.items.push(Item {
             at,
             rule,
-            gradient: [0.0; K],
-            row: Row::centered(c, price, mu),
+            offset,
+            gradient,
+            row: Row::centered(c, rule.price(problem, elastic), mu),
         });
     }
 
@@ -72,12 +109,13 @@ impl<R: Rules<K>, const K: usize> Block<R, K> {
             return;
         };
         let mut z = last.coordinates(x, frames);
-        for Item { at, rule, row, .. } in &mut self.items {
-            if *at != last {
-                last = *at;
+        for item in &mut self.items {
+            if item.at != last {
+                last = item.at;
                 z = last.coordinates(x, frames);
             }
-            row.c = rule.value(problem, last, &z);
+            item.row.c = item.value(problem, &z);
+            let row = &item.row;
             let (s, e) = row.stepped(alpha, row.c);
             merit.theta += (row.c - s + e).abs();
             row.add_to(merit, s, e);
@@ -100,9 +138,49 @@ impl<R: Rules<K>, const K: usize> Block<R, K> {
     }
 }
 
-/// Rows by what they are anchored to: they share coordinates.
-pub(crate) fn by_anchor<R: Rules<K>, const K: usize>(
-    items: &mut [Item<R, K>],
-) -> impl Iterator<Item = &mut [Item<R, K>]> {
-    items.chunk_by_mut(|a, b| a.at == b.at)
+/// Rows that are not assembled yet.
+pub(crate) struct Remaining<'a, R: Rules<K>, const K: usize>(&'a mut [Item<R, K>]);
+
+impl<R: Rules<K>, const K: usize> Block<R, K> {
+    /// All rows, to be assembled.
+    pub fn remaining(&mut self) -> Remaining<'_, R, K> {
+        Remaining(&mut self.items)
+    }
+}
+
+impl<R: Rules<K>, const K: usize> Remaining<'_, R, K> {
+    /// The anchor of the next row.
+    #[inline]
+    pub fn anchor(&self) -> Option<R::At> {
+        self.0.first().map(|item| item.at)
+    }
+
+    /// Adds the next rows as far as they have this anchor, whose coordinates are `z`; how many there are.
+    #[inline(always)]
+    pub fn add_to(
+        &mut self,
+        local: &mut Local<K>,
+        problem: &Problem,
+        (at, z): (R::At, &[f64; K]),
+        mu: f64,
+    ) -> usize {
+        let mut items = std::mem::take(&mut self.0).iter_mut();
+        let mut count = 0;
+        while let Some(item) = items.as_slice().first()
+            && item.at == at
+            && let Some(item) = items.next()
+        {
+            item.evaluate(problem, z);
+            local.add_row(&mut item.row, &item.gradient, mu);
+            count += 1;
+        }
+        self.0 = items.into_slice();
+        count
+    }
+}
+
+/// Scalar product.
+#[inline]
+pub(crate) fn inner<const K: usize>(a: &[f64; K], b: &[f64; K]) -> f64 {
+    (0..K).map(|i| a[i] * b[i]).sum()
 }

@@ -75,9 +75,7 @@ fn look_up<R: Rules<K>, const K: usize>(
     let (problem, x) = (sight.problem, sight.x);
     for at in anchors {
         R::look_up(sight, at, &mut |rule| {
-            let c = rule.value(problem, at, &at.coordinates(x, frames));
-            let price = rule.price(problem, beginning.elastic);
-            new.push(at, rule, c, price, beginning.mu);
+            new.push(problem, (at, rule), &at.coordinates(x, frames), beginning);
         });
     }
     new.carry_over(block);

@@ -2,7 +2,7 @@
 
 use crate::anchor::Anchor;
 use crate::assembly::DUAL_REGULARIZATION;
-use crate::block::Block;
+use crate::block::{Block, inner};
 use crate::iterate::{Direction, STAGE};
 use crate::linear::BandMatrix;
 use crate::rule::Rules;
@@ -156,27 +156,18 @@ impl Newton {
         mu: f64,
         part: &Range<usize>,
     ) {
-        let items = block.within(part);
-        let Some(mut last) = items.first().map(|item| item.at) else {
-            return;
-        };
-        let mut change = last.change(&self.direction, frames);
-        for item in items {
-            if item.at != last {
-                last = item.at;
-                change = last.change(&self.direction, frames);
+        for rows in block.within(part).chunk_by_mut(|a, b| a.at == b.at) {
+            let at = rows[0].at;
+            let (i, change) = (at.stage(), at.change(&self.direction, frames));
+            let (mut limit, mut slope) = (self.limits[i], self.slopes[i]);
+            for item in rows {
+                item.row.recover(mu, inner(&item.gradient, &change));
+                item.row.limit_step(&mut limit);
+                slope += item.row.barrier_slope(mu);
             }
-            let i = last.stage();
-            item.row.recover(mu, inner(&item.gradient, &change));
-            item.row.limit_step(&mut self.limits[i]);
-            self.slopes[i] += item.row.barrier_slope(mu);
+            (self.limits[i], self.slopes[i]) = (limit, slope);
         }
     }
-}
-
-#[inline]
-fn inner<const K: usize>(a: &[f64; K], b: &[f64; K]) -> f64 {
-    (0..K).map(|i| a[i] * b[i]).sum()
 }
 
 fn dot(a: &[f64], b: &[f64]) -> f64 {

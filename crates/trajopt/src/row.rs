@@ -32,6 +32,12 @@ pub(crate) fn larger(a: f64, b: f64) -> f64 {
     if a > b { a } else { b }
 }
 
+/// The smaller of two numbers, likewise.
+#[inline]
+fn smaller(a: f64, b: f64) -> f64 {
+    if a < b { a } else { b }
+}
+
 /// The state of a row.
 #[derive(Clone, Copy, Debug)]
 pub struct Row {
@@ -154,7 +160,7 @@ impl Row {
     /// one of thousands at its bound would hold up all.
     #[inline]
     pub fn limit_step(&self, longest: &mut f64) {
-        *longest = longest.min(longest_step(self.s, self.ds));
+        *longest = smaller(*longest, longest_step(self.s, self.ds));
     }
 
     /// Takes the multiplier's step at once when the slack would end the primal step before `limit`; returns what that adds
@@ -198,14 +204,23 @@ impl Row {
     #[inline]
     pub fn advance(&mut self, alpha: f64) {
         (self.s, self.e) = self.stepped(alpha, self.c);
-        let dual = longest_step(self.z, self.dz).min(longest_step(self.y(), -self.dz));
+        let dual = smaller(
+            longest_step(self.z, self.dz),
+            longest_step(self.y(), -self.dz),
+        );
         self.z += dual * self.dz;
+    }
+
+    /// Whether the row may give way.
+    #[inline]
+    fn gives_way(&self) -> bool {
+        self.weight < f64::INFINITY
     }
 
     /// Adds cost of violation and logarithms at given `s` and `e` to a merit.
     #[inline]
     pub fn add_to(&self, merit: &mut Merit, s: f64, e: f64) {
-        if self.weight.is_finite() {
+        if self.gives_way() {
             merit.elastic += self.weight * e;
             merit.logarithms.push(s * e);
         } else {
@@ -217,7 +232,7 @@ impl Row {
     #[inline]
     pub fn barrier_slope(&self, mu: f64) -> f64 {
         let s = -mu * self.ds / self.s;
-        if self.weight.is_finite() {
+        if self.gives_way() {
             s + (self.weight - mu / self.e) * self.de
         } else {
             s
@@ -227,14 +242,14 @@ impl Row {
     /// How many complementarity products there are.
     #[inline]
     pub fn products(&self) -> usize {
-        1 + usize::from(self.weight.is_finite())
+        1 + usize::from(self.gives_way())
     }
 
     /// Greatest deviation of the complementarity products from `mu`, and their sum.
     #[inline]
     pub fn complementarity(&self, mu: f64) -> (f64, f64) {
         let sz = self.s * self.z;
-        if self.weight.is_finite() {
+        if self.gives_way() {
             let ey = self.e * self.y();
             (larger((sz - mu).abs(), (ey - mu).abs()), sz + ey)
         } else {
