@@ -14,6 +14,7 @@ mod new;
 mod plan;
 mod planning;
 mod rehearse;
+mod reproduce;
 mod run;
 mod schemas;
 mod show;
@@ -31,6 +32,7 @@ pub use new::NewArguments;
 pub use plan::PlanArguments;
 pub use planning::{Order, PlanningArguments};
 pub use rehearse::RehearseArguments;
+pub use reproduce::ReproduceArguments;
 pub use run::RunArguments;
 pub use schemas::SchemasArguments;
 pub use show::ShowArguments;
@@ -87,6 +89,8 @@ pub enum Command {
     Export(ExportArguments),
     /// Cost of the best plan over the length of the net
     Length(LengthArguments),
+    /// Make every experiment of the paper again and judge its claims
+    Reproduce(ReproduceArguments),
     /// Make a scene: solvable by construction, with its solution, or litter as it lies on a map or in a hall
     Generate(GenerateArguments),
     /// Plan a folder of scenes and count: success, what is left, iterations, time, memory
@@ -113,6 +117,7 @@ impl Command {
             Self::MonteCarlo(_) => "monte-carlo",
             Self::Export(_) => "export",
             Self::Length(_) => "length",
+            Self::Reproduce(_) => "reproduce",
             Self::Generate(_) => "generate",
             Self::BenchPlan(_) => "bench-plan",
             Self::New(_) => "new",

@@ -13,6 +13,7 @@ mod objects;
 mod output;
 mod plan_text;
 mod progress;
+mod reproduce;
 mod results;
 mod trials;
 
@@ -37,6 +38,7 @@ fn main() {
         Command::MonteCarlo(monte_carlo) => commands::monte_carlo(monte_carlo),
         Command::Export(export) => commands::export(export),
         Command::Length(length) => commands::length(length),
+        Command::Reproduce(reproduce) => commands::reproduce(reproduce),
         Command::Generate(generate) => commands::generate(generate),
         Command::BenchPlan(bench) => commands::bench_plan(bench),
         Command::New(new) => commands::new(new),

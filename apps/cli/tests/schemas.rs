@@ -64,7 +64,12 @@ fn what_is_printed_and_written_fits_the_schemas() {
     let (short, left) = (inside("short"), inside("left"));
     let proofs = format!("{short}/infeasible.json");
     let partly = format!("{left}/plan.json");
-    let calls: [(&str, i32, &[&str]); 23] = [
+    let calls: [(&str, i32, &[&str]); 24] = [
+        (
+            "reproduce",
+            0,
+            &["reproduce", "--quick", "--only", "setup", "-o", out],
+        ),
         ("plan", 0, &["plan", scene, "-o", out, "--no-rehearsal"]),
         ("check", 0, &["check", scene, plan_path]),
         ("rehearse", 0, &["rehearse", scene, plan_path, "--quick"]),

@@ -1,6 +1,7 @@
 //! Pages, pictures and tables of plans and runs. Everything here renders what is finished already and computes nothing but
 //! where on the paper things go: a [`pairtrawl_model::Summary`], a [`pairtrawl_model::FailedSummary`], a
-//! [`pairtrawl_model::LengthCurve`] or a [`pairtrawl_model::Bench`]; recordings show a [`pairtrawl_model::Trial`].
+//! [`pairtrawl_model::LengthCurve`] or a [`pairtrawl_model::Bench`]; recordings show a [`pairtrawl_model::Trial`]; a
+//! [`study::Study`] is a page of tables, charts and pictures.
 
 mod axis;
 mod bench_page;
@@ -11,6 +12,7 @@ mod map;
 pub mod mcap;
 mod page;
 mod plan_svg;
+pub mod study;
 mod svg;
 mod words;
 

@@ -5,6 +5,7 @@ use super::length::LengthReport;
 use super::monte_carlo::MonteCarloReport;
 use super::planning::PlanReport;
 use super::rehearse::RehearseReport;
+use super::reproduce::ReproductionReport;
 use super::run::RunReport;
 use super::show::ShowReport;
 use crate::arguments::SchemasArguments;
@@ -42,6 +43,7 @@ fn all() -> Vec<(String, String)> {
             ("length", of::<LengthReport>()),
             ("monte-carlo", of::<MonteCarloReport>()),
             ("bench", of::<Bench>()),
+            ("reproduction", of::<ReproductionReport>()),
         ])
         .map(|(name, schema)| (name.to_owned(), schema));
     let printed = [
@@ -54,6 +56,7 @@ fn all() -> Vec<(String, String)> {
         ("monte-carlo", of::<Report<MonteCarloReport>>()),
         ("export", of::<Report<FilesAlone>>()),
         ("length", of::<Report<LengthReport>>()),
+        ("reproduce", of::<Report<ReproductionReport>>()),
         ("generate", of::<Report<GenerateReport>>()),
         ("bench-plan", of::<Report<Bench>>()),
         ("new", of::<Report<FilesAlone>>()),
