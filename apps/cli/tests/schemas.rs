@@ -185,7 +185,7 @@ fn what_is_printed_and_written_fits_the_schemas() {
         // The header comes first, in the same order for all.
         assert!(said.starts_with("{\"ok\":"), "{said}");
     }
-    for name in ["plan", "execution", "length", "monte-carlo"] {
+    for name in ["plan", "execution", "length", "monte-carlo", "reproduction"] {
         expect_fit(name, &json(&Path::new(out).join(format!("{name}.json"))));
     }
     expect_fit("infeasible", &json(Path::new(&proofs)));
