@@ -35,40 +35,50 @@ def on_threads(batches: Iterator[Batch], workers: int | None) -> Done:
 def on_dask(batches: Iterator[Batch], client: Client | None, workers: int | None) -> Done:
     """On the workers of a Dask cluster, one thread for each plan.
 
-    Batches of a worker that dies are planned by others. One that kills every worker that takes it is halved, until what is at
-    fault stands alone; its row then says so.
+    Batches of a worker that dies are planned by others. What was with several workers when they died is set aside, and planned
+    when nothing else runs: then it is plain what kills them, and its row says so.
     """
     from distributed import KilledWorker, as_completed
 
     with _dask_client(client, workers) as cluster:
         running: dict[Any, Batch] = {}
+        aside: list[Batch] = []
         done = as_completed()
-
-        def submit(batch: Batch) -> None:
-            future = cluster.submit(compute, batch, pure=False)
-            running[future] = batch
-            done.add(future)
 
         def fill() -> None:
             most = _AHEAD * max(1, sum(cluster.nthreads().values()))
             while len(running) < most and (batch := next(batches, None)) is not None:
-                submit(batch)
+                future = cluster.submit(compute, batch, pure=False)
+                running[future] = batch
+                done.add(future)
 
         fill()
         for future in done:
-            batch = running.pop(future)
-            error = future.exception()
+            batch, error = running.pop(future), future.exception()
             if error is None:
                 yield batch, future.result()
-            elif not isinstance(error, KilledWorker):
-                raise error
-            elif len(batch) == 1:
-                yield batch, [lost(batch[0], f"every worker that planned it died: {error}")]
+            elif isinstance(error, KilledWorker):
+                aside.append(batch)
             else:
-                middle = len(batch) // 2
-                submit(batch[:middle])
-                submit(batch[middle:])
+                raise error
             fill()
+        for batch in aside:
+            yield from _alone(cluster, batch)
+
+
+def _alone(cluster: Client, batch: Batch) -> Done:
+    """A batch on a cluster that does nothing else; halved until what kills its workers stands alone."""
+    from distributed import KilledWorker
+
+    try:
+        yield batch, cluster.submit(compute, batch, pure=False).result()
+    except KilledWorker as error:
+        middle = len(batch) // 2
+        if middle == 0:
+            yield batch, [lost(batch[0], f"every worker that planned it died: {error}")]
+        else:
+            yield from _alone(cluster, batch[:middle])
+            yield from _alone(cluster, batch[middle:])
 
 
 @contextmanager
