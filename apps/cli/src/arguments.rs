@@ -33,7 +33,7 @@ pub use plan::PlanArguments;
 pub use planning::{Order, PlanningArguments};
 pub use rehearse::RehearseArguments;
 pub use reproduce::ReproduceArguments;
-pub use run::RunArguments;
+pub use run::{Adapted, RunArguments};
 pub use schemas::SchemasArguments;
 pub use show::ShowArguments;
 pub use values::name;

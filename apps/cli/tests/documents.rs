@@ -65,6 +65,7 @@ fn notation_has_every_key_of_a_scene_with_its_default() {
                 // A default in words: the key must exist and change something.
                 let other = match key.as_str() {
                     "start" => "[[0.3, 1.85], [0.3, 1.15]]",
+                    "expansion_per" => "\"meter\"",
                     "leave" => "\"unreachable\"",
                     "preset" => "\"burger\"",
                     "body" => "[[-0.05, 0.0, 0.2]]",

@@ -10,6 +10,7 @@
 mod collector;
 mod control_loop;
 mod error;
+mod law_options;
 mod monte_carlo;
 mod observer;
 mod options;
@@ -23,9 +24,11 @@ mod statistics;
 mod task;
 mod trial;
 mod trials;
+mod wheel_speed;
 
 pub use control_loop::{PairLoop, Truth};
 pub use error::ExecutionError;
+pub use law_options::{AdaptedParts, LawOptions};
 pub use monte_carlo::{GrowingDrag, MonteCarlo, MonteCarloOptions, MonteCarloRow, monte_carlo};
 pub use observer::ExecutionObserver;
 pub use options::{ExecutionOptions, NominalInertia, controller_parameters};

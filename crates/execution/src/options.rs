@@ -1,5 +1,5 @@
-use crate::ExecutionError;
 use crate::sensing::{Sensing, TORQUE_PERIOD};
+use crate::{ExecutionError, LawOptions};
 use pairtrawl_control::{
     ControllerParameters, CoriolisForm, IntegralGains, LawParameters, Limits, MracGains,
     RobotModel, SupervisorLimits, TrackingGains, Velocity,
@@ -14,6 +14,16 @@ pub enum NominalInertia {
     PaperTable,
     /// The scene's robot.
     Robot,
+}
+
+impl NominalInertia {
+    /// The name in files and on the command line.
+    pub const fn name(self) -> &'static str {
+        match self {
+            Self::PaperTable => "table",
+            Self::Robot => "robot",
+        }
+    }
 }
 
 /// How to execute a plan. The default is what the program does without options.
@@ -43,6 +53,8 @@ pub struct ExecutionOptions {
     pub odometry_scale: [f64; 2],
     /// The sensors otherwise.
     pub sensing: Sensing,
+    /// What is changed about the laws' default gains.
+    pub law: LawOptions,
     /// J of the controllers' model.
     pub nominal_inertia: NominalInertia,
     /// When the pair stops; the tension limit is the scene's.
@@ -70,6 +82,7 @@ impl Default for ExecutionOptions {
             velocity_delay: [0.002, 0.002],
             odometry_scale: [0.99, 1.01],
             sensing: Sensing::default(),
+            law: LawOptions::default(),
             nominal_inertia: NominalInertia::PaperTable,
             supervisor: SupervisorLimits::default(),
             physics: pairtrawl_simulation::Options::default(),
@@ -123,6 +136,25 @@ impl ExecutionOptions {
             self.payload.unwrap_or(1.0),
             f64::MIN_POSITIVE,
             "finite and above 0, kg",
+        )?;
+        single(
+            "law.feedback",
+            self.law.feedback,
+            f64::MIN_POSITIVE,
+            "finite and above 0",
+        )?;
+        single("law.rates", self.law.rates, 0.0, "finite and not below 0")?;
+        single(
+            "law.torque_limit",
+            self.law.torque_limit.unwrap_or(1.0),
+            f64::MIN_POSITIVE,
+            "finite and above 0, N m",
+        )?;
+        single(
+            "supervisor.tracking_error",
+            self.supervisor.tracking_error,
+            f64::MIN_POSITIVE,
+            "finite and above 0, m",
         )?;
         single("trials", self.trials as f64, 1.0, "at least 1")?;
         single(

@@ -7,6 +7,7 @@ use crate::pair_controller::PairStop;
 use crate::sample::{control_pose, pair_pose};
 use crate::sensing::{Normal, Sensing, TORQUE_PERIOD, TRACKER_TICKS};
 use crate::statistics::{mixed_seed, trial_seed};
+use crate::wheel_speed::Rims;
 use crate::{ExecutionError, Host, Task};
 use pairtrawl_control::{SupervisorLimits, Velocity, WheelTorque};
 use pairtrawl_geometry::Pose;
@@ -44,7 +45,11 @@ pub(crate) fn run(task: &Task, host: &Host, index: usize) -> Result<Option<Trial
     };
     let mut control = PairLoop::new(
         task.reference,
-        &controller_parameters(task.scene, options.controller, options.nominal_inertia),
+        &options.law.applied(controller_parameters(
+            task.scene,
+            options.controller,
+            options.nominal_inertia,
+        )),
         supervisor,
         sensing,
         [mixed_seed(seed, 1), mixed_seed(seed, 2)],
@@ -53,10 +58,17 @@ pub(crate) fn run(task: &Task, host: &Host, index: usize) -> Result<Option<Trial
     let mut end = task.reference.duration() + physics.settle_time;
     let substeps = (TORQUE_PERIOD / time_step).round().max(1.0) as u64;
     let mut ticks = 0_u64;
+    let mut rims = [Rims::new(&scene); 2];
     while simulation.time() < end {
         let drag = collector.drag();
         let states = simulation.robots();
-        let torques = control.tick([truth(&states[0], drag[0]), truth(&states[1], drag[1])]);
+        let loads = simulation.loads();
+        let seen = [0, 1].map(|i| {
+            let mut truth = truth(&states[i], drag[i]);
+            truth.velocity = rims[i].tick(loads[i].torques, truth.velocity, TORQUE_PERIOD);
+            truth
+        });
+        let torques = control.tick(seen);
         for _ in 0..substeps {
             simulation.step(torques.map(|t| drive(&t)))?;
             // Deviations are what the collector measures.

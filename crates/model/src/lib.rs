@@ -9,6 +9,7 @@ mod certificate;
 mod claim_id;
 mod cost;
 mod execution;
+mod expansion_per;
 mod failed;
 mod leave;
 mod left_out;
@@ -37,6 +38,7 @@ pub use execution::{
     ControlSample, ControllerKind, DragStatistics, Execution, ExecutionEvent, ExecutionEventKind,
     TrackingStatistics, Trial, TrialConditions,
 };
+pub use expansion_per::ExpansionPer;
 pub use failed::FailedSummary;
 pub use leave::Leave;
 pub use left_out::{LeftOut, LeftWhy};

@@ -1,4 +1,4 @@
-use crate::Leave;
+use crate::{ExpansionPer, Leave, Robot, RobotSize};
 use std::f64::consts::FRAC_2_PI;
 
 /// The planner's parameters (`[planner]` of a scene). Defaults are the paper's where it gives one.
@@ -61,6 +61,12 @@ pub struct PlannerParameters {
     pub a3: f64,
     /// a4: weight of the expansion cost.
     pub a4: f64,
+    /// What the expansion cost is summed over.
+    #[cfg_attr(
+        feature = "serde",
+        serde(skip_serializing_if = "ExpansionPer::is_waypoint")
+    )]
+    pub expansion_per: ExpansionPer,
     /// What is done with objects that cannot be gathered.
     #[cfg_attr(feature = "serde", serde(skip_serializing_if = "Leave::is_none"))]
     pub leave: Leave,
@@ -94,7 +100,22 @@ impl Default for PlannerParameters {
             a2: 1.0,
             a3: 1.0,
             a4: 1.0,
+            expansion_per: ExpansionPer::Waypoint,
             leave: Leave::None,
+        }
+    }
+}
+
+impl PlannerParameters {
+    /// Weight of the expansion cost of one waypoint: a4, per meter in proportion to `max_step`, as much as in the paper's setup
+    /// where that is 0.05 m (for machines of the paper's size).
+    pub fn expansion_weight(&self, robot: &Robot) -> f64 {
+        match self.expansion_per {
+            ExpansionPer::Waypoint => self.a4,
+            ExpansionPer::Meter => {
+                let paper = RobotSize::of(robot).length(Self::default().max_step);
+                self.a4 * self.max_step / paper
+            }
         }
     }
 }

@@ -6,6 +6,7 @@ use crate::length::LengthRange;
 use crate::observer::{Observer, Stage};
 use crate::options::PlanOptions;
 use crate::run::Run;
+use pairtrawl_model::numbers::quantity;
 use pairtrawl_model::{Cost, PairTrajectory, Scene};
 use pairtrawl_parallel::prelude::*;
 use pairtrawl_trajopt::{Problem, SeparationRule, Settings, Solution, evaluate, optimize};
@@ -67,8 +68,10 @@ pub fn separation_study(
 fn refused(solution: &Solution) -> Option<String> {
     let worst = solution.violations.first().map(|violation| {
         format!(
-            "{} fails by {:.3} at waypoint {}",
-            violation.claim, violation.amount, violation.step
+            "{} fails by {} at waypoint {}",
+            violation.claim,
+            quantity(violation.amount, violation.claim.unit()),
+            violation.step
         )
     });
     worst.or_else(|| {

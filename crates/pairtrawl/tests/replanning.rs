@@ -151,7 +151,7 @@ fn the_net_keeps_its_length_in_mid_tow() {
 
     // An object off the path: planned from nothing, and with the same net all the same.
     scene.objects.push(Object {
-        position: Point::new(3.9, 1.6),
+        position: Point::new(3.9, 1.0),
         footprint: Footprint::Disc(0.03),
         mass: 0.025,
         leave: false,

@@ -152,6 +152,7 @@ fn every_parameter_can_be_set() {
         a2: 12.0,
         a3: 13.0,
         a4: 14.0,
+        expansion_per: pairtrawl::model::ExpansionPer::Meter,
         leave: Leave::Unreachable,
     };
     assert_eq!(scene.planner, planner);

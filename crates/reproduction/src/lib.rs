@@ -13,12 +13,17 @@ pub mod chapter;
 pub mod claims;
 mod drawing;
 pub mod drives;
+pub mod executions;
 mod lab;
 pub mod net_length;
 pub mod planning;
 pub mod scenes;
 pub mod selection;
+pub mod separation;
 pub mod setup;
+pub mod solving;
+pub mod tracking;
+pub mod two_lengths;
 pub mod verdict;
 
 pub use chapter::{Chapter, Made};
@@ -37,6 +42,26 @@ pub const CHAPTERS: &[Chapter] = &[
         id: "net-length",
         title: "The length of the net (Fig. 5)",
         make: net_length::chapter,
+    },
+    Chapter {
+        id: "two-lengths",
+        title: "2.32 m and 1.45 m: which reading gives which length",
+        make: two_lengths::chapter,
+    },
+    Chapter {
+        id: "separation",
+        title: "The cost of the separation (Fig. 6)",
+        make: separation::chapter,
+    },
+    Chapter {
+        id: "executions",
+        title: "Five executions (Figs. 4, 7 and 8)",
+        make: executions::chapter,
+    },
+    Chapter {
+        id: "tracking",
+        title: "Adaptive control, fairly",
+        make: tracking::chapter,
     },
     Chapter {
         id: "setup",

@@ -36,6 +36,28 @@ pub fn authors_simulation() -> Result<LoadedScene, Stopped> {
     )
 }
 
+/// A gap that the pair passes with its load; ours.
+///
+/// # Errors
+/// Never, while the shipped file can be read.
+pub fn narrow_gap() -> Result<LoadedScene, Stopped> {
+    parsed(
+        "narrow-gap",
+        include_str!("../../../scenes/narrow-gap/scene.toml"),
+    )
+}
+
+/// Wide clusters of objects; ours.
+///
+/// # Errors
+/// Never, while the shipped file can be read.
+pub fn wide_clusters() -> Result<LoadedScene, Stopped> {
+    parsed(
+        "wide-clusters",
+        include_str!("../../../scenes/wide-clusters/scene.toml"),
+    )
+}
+
 fn parsed(name: &str, text: &str) -> Result<LoadedScene, Stopped> {
     parse_scene(text, name).map_err(|error| Stopped::failed(name, error))
 }

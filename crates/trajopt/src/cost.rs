@@ -12,7 +12,7 @@ pub fn evaluate(scene: &Scene, pair: &PairTrajectory, net_length: f64) -> Cost {
     let p = &scene.planner;
     let (distance, turning) = (Distance::of(p), Turning::of(p));
     let smoothness = [0, 1, 2].map(|k| Smoothness::of_coordinate(p, k));
-    let expansion = Expansion::literal(p);
+    let expansion = Expansion::literal(p, &scene.robot);
     let mut cost = Cost::default();
     for robot in [&pair.left, &pair.right] {
         for w in robot.windows(2) {

@@ -67,6 +67,34 @@ pub struct RunArguments {
     #[arg(long, value_name = "LOW:HIGH", value_parser = parse_range)]
     pub delay: Option<[f64; 2]>,
 
+    /// Age of measured velocities when they reach the controllers, s
+    #[arg(long, value_name = "LOW:HIGH", value_parser = parse_range)]
+    pub velocity_delay: Option<[f64; 2]>,
+
+    /// Velocity feedback K of the adaptive and the integral law, times the default
+    #[arg(long, value_name = "FACTOR", value_parser = parse_positive)]
+    pub feedback: Option<f64>,
+
+    /// Rates of adaptation, or the integral gain, times the defaults
+    #[arg(long, value_name = "FACTOR", value_parser = parse_not_negative)]
+    pub rates: Option<f64>,
+
+    /// What the adaptive law adapts: Delta_X, Delta_m, Delta_b; without any it is its velocity feedback alone
+    #[arg(long, value_enum, value_name = "PARTS", value_delimiter = ',')]
+    pub adapt: Option<Vec<Adapted>>,
+
+    /// Inertia of the robot in the controllers' model
+    #[arg(long, value_enum, value_name = "J", default_value_t = Inertia::Table)]
+    pub nominal_inertia: Inertia,
+
+    /// Greatest torque that controllers command to a wheel, N m, instead of the scene's
+    #[arg(long, value_name = "NM", value_parser = parse_positive)]
+    pub torque_limit: Option<f64>,
+
+    /// Stop the pair when a robot is this far from its path, m, instead of 0.25
+    #[arg(long, value_name = "M", value_parser = parse_positive)]
+    pub stop_error: Option<f64>,
+
     /// Drive a plan even when it cannot be proven
     #[arg(long)]
     pub unproven: bool,
@@ -102,6 +130,37 @@ impl From<Controller> for pairtrawl::model::ControllerKind {
             Controller::Mrac => Self::Mrac,
             Controller::ModelBased => Self::ModelBased,
             Controller::Integral => Self::Integral,
+        }
+    }
+}
+
+/// What the adaptive law adapts.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
+pub enum Adapted {
+    /// Delta_X
+    State,
+    /// Delta_m
+    Input,
+    /// Delta_b
+    Bias,
+    /// Nothing
+    None,
+}
+
+/// Inertia of the robot in the controllers' model.
+#[derive(Clone, Copy, Debug, ValueEnum)]
+pub enum Inertia {
+    /// That of the paper's table, 0.146 kg m^2
+    Table,
+    /// The scene's
+    Robot,
+}
+
+impl From<Inertia> for pairtrawl::execute::NominalInertia {
+    fn from(inertia: Inertia) -> Self {
+        match inertia {
+            Inertia::Table => Self::PaperTable,
+            Inertia::Robot => Self::Robot,
         }
     }
 }

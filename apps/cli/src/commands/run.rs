@@ -1,6 +1,6 @@
 use super::given_plan::{given_plan, refuse_unproven, unproven};
 use super::with_scene;
-use crate::arguments::RunArguments;
+use crate::arguments::{Adapted, RunArguments};
 use crate::exit::Exit;
 use crate::failure::Failure;
 use crate::interrupt;
@@ -9,7 +9,7 @@ use crate::output::{Done, Report};
 use crate::plan_text::left_summary;
 use crate::results::{Results, in_folder};
 use crate::trials::Trials;
-use pairtrawl::execute::{ExecutionOptions, recording};
+use pairtrawl::execute::{AdaptedParts, ExecutionOptions, LawOptions, recording};
 use pairtrawl::files::{ExecutionFigures, LoadedScene, execution_json};
 use pairtrawl::model::numbers::{cost, duration, lengths, quantity};
 use pairtrawl::model::{Execution, Trial};
@@ -118,6 +118,8 @@ fn options(arguments: &RunArguments) -> ExecutionOptions {
         object_mass: arguments.object_mass,
         payload: arguments.payload,
         unproven: arguments.unproven,
+        law: law(arguments),
+        nominal_inertia: arguments.nominal_inertia.into(),
         ..ExecutionOptions::default()
     };
     let given = [
@@ -125,10 +127,13 @@ fn options(arguments: &RunArguments) -> ExecutionOptions {
         (&mut options.robot_inertia, arguments.robot_inertia),
         (&mut options.friction, arguments.friction),
         (&mut options.pose_delay, arguments.delay),
+        (&mut options.velocity_delay, arguments.velocity_delay),
     ];
     for (option, value) in given {
         *option = value.unwrap_or(*option);
     }
+    let supervisor = &mut options.supervisor;
+    supervisor.tracking_error = arguments.stop_error.unwrap_or(supervisor.tracking_error);
     let sensing = &mut options.sensing;
     sensing.position_noise = arguments.position_noise.unwrap_or(sensing.position_noise);
     sensing.heading_noise = arguments.heading_noise.unwrap_or(sensing.heading_noise);
@@ -141,6 +146,22 @@ fn options(arguments: &RunArguments) -> ExecutionOptions {
         options.physics = arguments.engine.options(arguments.quick);
     }
     options
+}
+
+/// What is changed about the law's default gains.
+fn law(arguments: &RunArguments) -> LawOptions {
+    let default = LawOptions::default();
+    let has = |all: &Vec<Adapted>, part| all.contains(&part);
+    LawOptions {
+        feedback: arguments.feedback.unwrap_or(default.feedback),
+        rates: arguments.rates.unwrap_or(default.rates),
+        adapts: (arguments.adapt.as_ref()).map_or(default.adapts, |all| AdaptedParts {
+            state: has(all, Adapted::State),
+            input: has(all, Adapted::Input),
+            bias: has(all, Adapted::Bias),
+        }),
+        torque_limit: arguments.torque_limit,
+    }
 }
 
 fn execution_text(name: &str, execution: &Execution) -> String {

@@ -108,4 +108,142 @@ const CASES: &[Case] = &[
             ("the_same_by_default", 30.0, "not shown"),
         ],
     },
+    Case {
+        claim: "length-simulation",
+        numbers: &[
+            ("paper", 2.32),
+            ("as_printed", 1.63),
+            ("with_what_the_authors'_data_show", 2.22),
+        ],
+        verdict: "shown if",
+        planted: &[
+            ("as_printed", 2.3, "shown"),
+            ("with_what_the_authors'_data_show", 2.0, "not shown"),
+        ],
+    },
+    Case {
+        claim: "length-experiment",
+        numbers: &[
+            ("paper", 1.45),
+            ("as_printed", 1.39),
+            ("with_what_the_authors'_data_show", 1.77),
+            ("paper_with_the_arms", 1.726),
+        ],
+        verdict: "shown",
+        planted: &[("as_printed", 1.2, "shown if")],
+    },
+    Case {
+        claim: "length-estimate",
+        numbers: &[
+            ("at_steps_of_0.05_m", 1.63),
+            ("at_steps_of_0.2_m", 2.07),
+            ("per_meter_at_steps_of_0.05_m", 1.63),
+            ("per_meter_at_steps_of_0.2_m", 1.51),
+        ],
+        verdict: "shown if",
+        planted: &[
+            ("at_steps_of_0.2_m", 1.65, "shown"),
+            ("per_meter_at_steps_of_0.2_m", 2.0, "not shown"),
+        ],
+    },
+    Case {
+        claim: "no-rule",
+        numbers: &[
+            ("least_J_dist_of_the_U-shape_above_that_of_no_rule", 37.9),
+            ("longest_net_that_no_rule_needs", 2.07),
+            ("longest_optimum_of_the_U-shape", 1.45),
+        ],
+        verdict: "shown",
+        planted: &[
+            ("longest_net_that_no_rule_needs", 1.5, "not shown"),
+            ("least_J_dist_of_the_U-shape_above_that_of_no_rule", -3.0, "not shown"),
+        ],
+    },
+    Case {
+        claim: "rigid",
+        numbers: &[
+            ("lengths_in_three_scenes", 27.0),
+            ("lengths_without_a_solution", 6.0),
+            ("greatest_detour_at_the_longest_net", 12.1),
+        ],
+        verdict: "shown",
+        planted: &[
+            ("lengths_without_a_solution", 0.0, "shown if"),
+            ("greatest_detour_at_the_longest_net", 0.2, "shown if"),
+        ],
+    },
+    Case {
+        claim: "u-shape",
+        numbers: &[
+            ("lengths_in_three_scenes", 27.0),
+            ("lengths_with_a_solution_of_the_U-shape", 27.0),
+            ("lengths_with_a_solution_of_a_fixed_separation", 21.0),
+        ],
+        verdict: "shown",
+        planted: &[
+            ("lengths_with_a_solution_of_the_U-shape", 25.0, "shown if"),
+            ("lengths_with_a_solution_of_the_U-shape", 15.0, "not shown"),
+        ],
+    },
+    Case {
+        claim: "executions",
+        numbers: &[
+            ("executions", 5.0),
+            ("executions_that_gather_everything", 5.0),
+            ("greatest_error", 0.0138),
+        ],
+        verdict: "shown",
+        planted: &[
+            ("executions_that_gather_everything", 4.0, "not shown"),
+            ("greatest_error", 0.2, "not shown"),
+        ],
+    },
+    Case {
+        claim: "adaptation-needed",
+        numbers: &[
+            ("drives", 3.0),
+            ("complete_at_1x_adaptive", 3.0),
+            ("complete_at_16x_adaptive", 3.0),
+            ("complete_at_1x_feedback_alone", 3.0),
+            ("complete_at_16x_feedback_alone", 0.0),
+            ("complete_at_1x_integral", 0.0),
+            ("complete_at_16x_integral", 3.0),
+        ],
+        verdict: "shown if",
+        planted: &[
+            ("complete_at_1x_feedback_alone", 2.0, "shown"),
+            ("complete_at_16x_feedback_alone", 3.0, "not shown"),
+            ("complete_at_1x_adaptive", 2.0, "not shown"),
+        ],
+    },
+    Case {
+        claim: "printed-adaptation",
+        numbers: &[
+            ("drives", 3.0),
+            ("complete_at_16x_as_printed", 3.0),
+            ("rms_at_16x_whole_law", 0.0113),
+            ("rms_at_16x_bias_alone", 0.0146),
+            ("rms_at_16x_as_printed", 0.068),
+            ("rms_at_16x_nothing", 2.38),
+        ],
+        verdict: "shown if",
+        planted: &[
+            ("rms_at_16x_as_printed", 0.012, "shown"),
+            ("complete_at_16x_as_printed", 1.0, "not shown"),
+        ],
+    },
+    Case {
+        claim: "gains",
+        numbers: &[
+            ("rms_at_a_tenth_of_the_rates", 0.36),
+            ("rms_at_the_rates", 0.065),
+            ("rms_at_ten_times_the_rates", 0.057),
+            ("drives_lost_with_0.04_N_m", 2.0),
+        ],
+        verdict: "shown if",
+        planted: &[
+            ("rms_at_ten_times_the_rates", 0.08, "shown"),
+            ("rms_at_a_tenth_of_the_rates", 0.01, "not shown"),
+        ],
+    },
 ];

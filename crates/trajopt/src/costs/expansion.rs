@@ -1,7 +1,7 @@
 use crate::problem::{Problem, SeparationRule};
 use crate::term::{Jet, PAIR, Term};
 use pairtrawl_geometry::Point;
-use pairtrawl_model::PlannerParameters;
+use pairtrawl_model::{PlannerParameters, Robot};
 use std::f64::consts::FRAC_PI_2;
 
 /// Expansion cost J_e of the net at one waypoint (the paper's eq. 8): a U over the separation `d`, written in `eta = d / d_max`,
@@ -14,7 +14,7 @@ use std::f64::consts::FRAC_PI_2;
 /// Close to its poles the function goes on as its second-order Taylor polynomial, so that an iterate outside the domain
 /// still has a value; the poles themselves are kept off by the separation constraints.
 pub struct Expansion {
-    /// a4.
+    /// a4, or what it is per waypoint where the cost is summed per meter.
     pub weight: f64,
     /// kd1.
     pub kd1: f64,
@@ -62,10 +62,10 @@ fn barrier(q: f64) -> Scalar {
 }
 
 impl Expansion {
-    /// As the paper has it.
-    pub fn literal(p: &PlannerParameters) -> Self {
+    /// As the paper has it, or per meter where the parameters say so.
+    pub fn literal(p: &PlannerParameters, robot: &Robot) -> Self {
         Self {
-            weight: p.a4,
+            weight: p.expansion_weight(robot),
             kd1: p.kd1,
             kd2: p.kd2,
             rest_ratio: p.rest_ratio,
@@ -75,7 +75,7 @@ impl Expansion {
 
     /// What is minimized in a problem.
     pub fn of(problem: &Problem) -> Self {
-        let mut cost = Self::literal(&problem.planner);
+        let mut cost = Self::literal(&problem.planner, &problem.robot);
         if problem.separation == SeparationRule::Free {
             cost.weight = 0.0;
         }

@@ -79,6 +79,19 @@ pub struct FileOptions {
     pub heading_noise: f64,
     /// Time step of the physics, s.
     pub time_step: f64,
+    /// Velocity feedback K over the default.
+    pub feedback: f64,
+    /// Rates of adaptation, or the integral gain, over the defaults.
+    pub rates: f64,
+    /// Whether Delta_X, Delta_m and Delta_b of the adaptive law adapt.
+    pub adapts: [bool; 3],
+    /// Greatest torque that controllers command to a wheel, N m; null: the scene's.
+    pub torque_limit: Option<f64>,
+    /// Inertia in the controllers' model: that of the paper's table or that of the scene's robot.
+    #[cfg_attr(feature = "schema", schemars(extend("enum" = ["table", "robot"])))]
+    pub nominal_inertia: &'static str,
+    /// The pair is stopped when a robot is this far from its reference, m.
+    pub stop_error: f64,
 }
 
 /// What came of all finished drives together. Errors are those of the worse robot of each drive.

@@ -64,6 +64,15 @@ impl From<&ExecutionOptions> for FileOptions {
             position_noise: options.sensing.position_noise,
             heading_noise: options.sensing.heading_noise,
             time_step: options.physics.time_step,
+            feedback: options.law.feedback,
+            rates: options.law.rates,
+            adapts: {
+                let adapts = options.law.adapts;
+                [adapts.state, adapts.input, adapts.bias]
+            },
+            torque_limit: options.law.torque_limit,
+            nominal_inertia: options.nominal_inertia.name(),
+            stop_error: options.supervisor.tracking_error,
         }
     }
 }

@@ -5,7 +5,8 @@ use crate::files::FileError;
 use crate::files::toml_reader::Range::{Length, NotNegative, Positive, UpTo};
 use crate::files::toml_reader::{Range, Table, Value};
 use pairtrawl_model::{
-    Leave, NetSpec, PhysicsParameters, PlannerParameters, Preset, Robot, RobotSize, Warning,
+    ExpansionPer, Leave, NetSpec, PhysicsParameters, PlannerParameters, Preset, Robot, RobotSize,
+    Warning,
 };
 use std::f64::consts::{FRAC_PI_2, PI};
 
@@ -128,7 +129,13 @@ pub(super) fn planner(
             ("a3", NotNegative, &mut p.a3),
             ("a4", NotNegative, &mut p.a4),
         ],
-        &["circle_margin", "waypoints", "alternations", "leave"],
+        &[
+            "circle_margin",
+            "waypoints",
+            "alternations",
+            "expansion_per",
+            "leave",
+        ],
     )?;
     if p.cruise < SLOW * robot.v_max {
         warnings.push(Warning::SlowCruise {
@@ -144,6 +151,9 @@ pub(super) fn planner(
     }
     if let Some(value) = table.get("alternations") {
         p.alternations = value.count(1, MOST_ALTERNATIONS)?;
+    }
+    if let Some(value) = table.get("expansion_per") {
+        p.expansion_per = named(&value, ExpansionPer::ALL, ExpansionPer::name)?;
     }
     if let Some(value) = table.get("leave") {
         p.leave = named(&value, Leave::ALL, Leave::name)?;
