@@ -14,8 +14,10 @@
 //! along the link's direction at the end of the step. Hinges dissipate
 //! c/2 (difference of the turning rates)^2. Every hinge stands on the floor with half of each adjacent link's weight.
 
-use crate::envelope::Envelope;
+use crate::block::{Block, Triple};
 use crate::friction::{self, Drag};
+use crate::matrix::Matrix;
+use crate::pattern::Pattern;
 use crate::row::{Row, Tie, scatter};
 use pairtrawl_geometry::Point;
 
@@ -74,7 +76,7 @@ impl Chain {
         Self {
             parameters,
             velocities: vec![Point::ZERO; count],
-            ties: vec![Tie::Free { offset: 0 }; count],
+            ties: vec![Tie::Free { slot: 0 }; count],
             found: vec![Point::ZERO; count],
             springs: vec![Spring::default(); count - 1],
             drags: vec![Drag::default(); count],
@@ -97,7 +99,7 @@ impl Chain {
     }
 
     /// Adds the links' mass.
-    pub(crate) fn add_mass(&self, matrix: &mut Envelope) {
+    pub(crate) fn add_mass(&self, pattern: &Pattern, matrix: &mut Matrix) {
         let NetParameters {
             link_length,
             link_mass,
@@ -107,13 +109,12 @@ impl Chain {
         let turning = link_inertia / (link_length * link_length);
         let (x, y) = (Point::new(1.0, 0.0), Point::new(0.0, 1.0));
         for ties in self.ties.windows(2) {
-            if let [Tie::Free { offset: a }, Tie::Free { offset: b }] = *ties {
+            if let [Tie::Free { slot: a }, Tie::Free { slot: b }] = *ties {
                 let (own, shared) = (0.25 * link_mass + turning, 0.25 * link_mass - turning);
-                for k in 0..2 {
-                    matrix.add(a + k, a + k, own);
-                    matrix.add(b + k, b + k, own);
-                    matrix.add(a + k, b + k, shared);
+                for (at, value) in [(a, own), (b, own)] {
+                    add_diagonal(&mut matrix.blocks[at as usize], value);
                 }
+                add_diagonal(&mut matrix.blocks[pattern.block(a, b)], shared);
                 continue;
             }
             let (mut middle, mut difference) = (Row::default(), Row::default());
@@ -121,13 +122,22 @@ impl Chain {
             middle.push(ties[1], x * 0.5, y * 0.5);
             difference.push(ties[0], -x, -y);
             difference.push(ties[1], x, y);
+            for row in [&mut middle, &mut difference] {
+                row.locate(pattern);
+            }
             middle.square(link_mass, link_mass, matrix);
             difference.square(turning, turning, matrix);
         }
     }
 
-    /// Adds the hinges' damping over a step of `dt`; `robots` are the robots' first unknowns.
-    pub(crate) fn add_damping(&self, dt: f64, robots: [usize; 2], matrix: &mut Envelope) {
+    /// Adds the hinges' damping over a step of `dt`; `robots` are the robots' slots.
+    pub(crate) fn add_damping(
+        &self,
+        dt: f64,
+        robots: [u32; 2],
+        pattern: &Pattern,
+        matrix: &mut Matrix,
+    ) {
         let damping = dt * self.parameters.hinge_damping;
         if damping == 0.0 {
             return;
@@ -139,13 +149,13 @@ impl Chain {
                 if link < last {
                     let along = self.places[link + 1] - self.places[link];
                     let rate = along.perp() * (sign / along.norm_squared());
-                    row.merge_tied(self.ties[link + 1], rate);
-                    row.merge_tied(self.ties[link], -rate);
+                    row.push(self.ties[link + 1], rate, Point::ZERO);
+                    row.push(self.ties[link], -rate, Point::ZERO);
                 } else {
-                    let robot = robots[usize::from(hinge == last)];
-                    row.merge(robot + 2, sign);
+                    row.push_turn(robots[usize::from(hinge == last)], sign);
                 }
             }
+            row.locate(pattern);
             row.square(damping, 0.0, matrix);
         }
     }
@@ -164,7 +174,13 @@ impl Chain {
     }
 
     /// Adds the links' stiffness to the matrix and what it does not multiply to `constant`.
-    pub(crate) fn add_springs(&self, dt: f64, matrix: &mut Envelope, constant: &mut [f64]) {
+    pub(crate) fn add_springs(
+        &self,
+        dt: f64,
+        pattern: &Pattern,
+        matrix: &mut Matrix,
+        constant: &mut [Triple],
+    ) {
         for (spring, ties) in self.springs.iter().zip(self.ties.windows(2)) {
             let t = spring.direction;
             let along = dt * dt * STIFFNESS;
@@ -174,21 +190,24 @@ impl Chain {
                 + n * (0.5 * across * n.dot(spring.foreseen));
             scatter(ties[0], -impulse, constant);
             scatter(ties[1], impulse, constant);
-            if let [Tie::Free { offset: a }, Tie::Free { offset: b }] = *ties {
-                add_block(matrix, a, a, t, along, across, 1.0);
-                add_block(matrix, b, b, t, along, across, 1.0);
-                add_block(matrix, a, b, t, along, across, -1.0);
+            if let [Tie::Free { slot: a }, Tie::Free { slot: b }] = *ties {
+                for at in [a, b] {
+                    add_directed(&mut matrix.blocks[at as usize], t, along, across, 1.0);
+                }
+                let shared = &mut matrix.blocks[pattern.block(a, b)];
+                add_directed(shared, t, along, across, -1.0);
                 continue;
             }
             let mut row = Row::default();
             row.push(ties[0], -t, -n);
             row.push(ties[1], t, n);
+            row.locate(pattern);
             row.square(along, across, matrix);
         }
     }
 
     /// Adds minus the impulses of the floor at the velocities `u` to the gradient.
-    pub(crate) fn evaluate(&mut self, dt: f64, first: bool, u: &[f64], gradient: &mut [f64]) {
+    pub(crate) fn evaluate(&mut self, dt: f64, first: bool, u: &[Triple], gradient: &mut [Triple]) {
         for node in 0..=self.links() {
             let held = first && self.drags[node].holds;
             let drag = friction::drag(self.floor_limit(node), self.ties[node].velocity(u), held);
@@ -197,16 +216,29 @@ impl Chain {
         }
     }
 
+    /// Minus the power of these impulses along a direction, at so far along it.
+    pub(crate) fn slope(&self, dt: f64, (u, d, length): (&[Triple], &[Triple], f64)) -> f64 {
+        let power = |(node, tie): (usize, &Tie)| {
+            let rate = tie.velocity(d);
+            let velocity = tie.velocity(u) + rate * length;
+            friction::force(self.floor_limit(node), velocity).dot(rate)
+        };
+        -dt * self.ties.iter().enumerate().map(power).sum::<f64>()
+    }
+
     /// Adds the derivative of [`Self::evaluate`]'s terms.
-    pub(crate) fn add_stiffness(&self, dt: f64, matrix: &mut Envelope) {
+    pub(crate) fn add_stiffness(&self, dt: f64, pattern: &Pattern, matrix: &mut Matrix) {
         for (drag, tie) in self.drags.iter().zip(&self.ties) {
             let (t, n) = (drag.direction, drag.direction.perp());
             let (along, across) = (dt * drag.along, dt * drag.across);
             match *tie {
-                Tie::Free { offset: o } => add_block(matrix, o, o, t, along, across, 1.0),
+                Tie::Free { slot } => {
+                    add_directed(&mut matrix.blocks[slot as usize], t, along, across, 1.0);
+                }
                 held @ Tie::Held { .. } => {
                     let mut row = Row::default();
                     row.push(held, t, n);
+                    row.locate(pattern);
                     row.square(along, across, matrix);
                 }
             }
@@ -214,7 +246,7 @@ impl Chain {
     }
 
     /// Looks at the velocities `u` that a step ended with.
-    pub(crate) fn finish(&mut self, dt: f64, u: &[f64]) {
+    pub(crate) fn finish(&mut self, dt: f64, u: &[Triple]) {
         for (velocity, tie) in self.found.iter_mut().zip(&self.ties) {
             *velocity = tie.velocity(u);
         }
@@ -266,23 +298,16 @@ impl Chain {
     }
 }
 
-/// Adds sign (along t t^T + across n n^T) at rows a.. and columns b..
-fn add_block(
-    matrix: &mut Envelope,
-    a: usize,
-    b: usize,
-    t: Point,
-    along: f64,
-    across: f64,
-    sign: f64,
-) {
-    let xx = sign * (along * t.x * t.x + across * t.y * t.y);
-    let yy = sign * (along * t.y * t.y + across * t.x * t.x);
+fn add_diagonal(block: &mut Block, value: f64) {
+    block[0][0] += value;
+    block[1][1] += value;
+}
+
+/// Adds sign (along t t^T + across n n^T) for two velocities of hinges.
+fn add_directed(block: &mut Block, t: Point, along: f64, across: f64, sign: f64) {
     let xy = sign * (along - across) * t.x * t.y;
-    matrix.add(a, b, xx);
-    matrix.add(a + 1, b + 1, yy);
-    matrix.add(a + 1, b, xy);
-    if a != b {
-        matrix.add(a, b + 1, xy);
-    }
+    block[0][0] += sign * (along * t.x * t.x + across * t.y * t.y);
+    block[1][1] += sign * (along * t.y * t.y + across * t.x * t.x);
+    block[0][1] += xy;
+    block[1][0] += xy;
 }

@@ -17,8 +17,9 @@
 //! is the gradient of a convex function, so a step has one solution and Newton's method finds it. The price is that
 //! sliding contacts ride on a gap of dt mu |v_t| (0.2 mm at 0.1 m/s and steps of 10 ms); forces and slip are Coulomb's.
 
-use crate::envelope::Envelope;
+use crate::block::Triple;
 use crate::friction::CREEP;
+use crate::matrix::Matrix;
 use crate::row::Row;
 use pairtrawl_geometry::Point;
 
@@ -43,6 +44,16 @@ pub(crate) struct ContactTerm {
     friction: f64,
     /// R_t, 1/kg.
     softness: f64,
+    /// 1/R_n, kg.
+    stiffness: f64,
+    /// mu R_t / R_n.
+    mixed: f64,
+    /// The velocity at which it would just close, or would not press any more, m/s.
+    bias: f64,
+    /// Opening and sliding velocity at the iterate, m/s.
+    now: (f64, f64),
+    /// What they are along the direction of the search.
+    rate: (f64, f64),
     /// Normal force at the iterate, N.
     pub(crate) force: f64,
     state: State,
@@ -82,6 +93,11 @@ impl ContactTerm {
             gap,
             friction,
             softness: 0.0,
+            stiffness: 0.0,
+            mixed: 0.0,
+            bias: 0.0,
+            now: (0.0, 0.0),
+            rate: (0.0, 0.0),
             force: 0.0,
             state: State::Open,
         }
@@ -93,69 +109,104 @@ impl ContactTerm {
         self.force = before.force;
     }
 
-    /// Sets R_t, with the inverse of the mass matrix's diagonal.
-    pub(crate) fn soften(&mut self, dt: f64, inverse_mass: impl Fn(usize) -> f64) {
+    /// Sets R_t, with the inverse of the mass matrix's diagonal, and what else stays constant in a step of `dt`.
+    pub(crate) fn soften(&mut self, dt: f64, inverse_mass: impl Fn(u32) -> Triple) {
         let felt = SLIP * self.row.across_squared(inverse_mass);
         let held = self.friction * self.force * dt;
         self.softness = felt.min(CREEP / held.max(f64::MIN_POSITIVE));
+        // One that has been pressed in does not bounce.
+        let horizon = if self.gap < 0.0 { dt + REBOUND } else { dt };
+        self.stiffness = STIFFNESS * dt * horizon;
+        self.mixed = self.friction * self.softness * self.stiffness;
+        self.bias = -self.gap / horizon;
     }
 
-    /// Adds minus the contact's impulse at the velocities `u` to the gradient. At the `first` look it is assumed to stand as it did at
+    /// Looks at the velocities `u`, from which a search begins.
+    pub(crate) fn begin(&mut self, u: &[Triple]) {
+        self.now = self.row.at(u);
+    }
+
+    /// Looks at the direction of a search.
+    pub(crate) fn direct(&mut self, direction: &[Triple]) {
+        self.rate = self.row.at(direction);
+    }
+
+    /// Goes so far along the direction.
+    pub(crate) fn advance(&mut self, length: f64) {
+        self.now.0 += length * self.rate.0;
+        self.now.1 += length * self.rate.1;
+    }
+
+    /// Minus the power of the contact's impulse along the direction, at so far along it.
+    pub(crate) fn slope(&self, length: f64) -> f64 {
+        let (opening, sliding) = (
+            self.now.0 + length * self.rate.0,
+            self.now.1 + length * self.rate.1,
+        );
+        let (normal, face) = self.free(opening, sliding);
+        let (push, drag) = self.answer(normal, face, self.stand(normal, face));
+        -(push * self.rate.0 + drag * self.rate.1)
+    }
+
+    /// Adds minus the contact's impulse at the iterate to the gradient. At the `first` look it is assumed to stand as it did at
     /// the end of the step before.
-    pub(crate) fn evaluate(&mut self, dt: f64, first: bool, u: &[f64], gradient: &mut [f64]) {
-        let (opening, sliding) = self.row.at(u);
-        let (horizon, stiffness) = self.response(dt);
-        let mu = self.friction;
-        let normal = -(self.gap / horizon + opening) * stiffness;
-        let face = -sliding / self.softness;
-        let mixed = mu * self.softness * stiffness;
-        let sum = normal + mixed * face.abs();
+    pub(crate) fn evaluate(&mut self, dt: f64, first: bool, gradient: &mut [Triple]) {
+        let (normal, face) = self.free(self.now.0, self.now.1);
         if !first {
-            self.state = if face.abs() <= mu * normal {
-                State::Sticks
-            } else if sum > 0.0 {
-                State::Slides(face.signum())
-            } else {
-                State::Open
-            };
+            self.state = self.stand(normal, face);
         }
-        let (push, drag) = match self.state {
-            State::Open => (0.0, 0.0),
-            State::Sticks => (normal, face),
-            State::Slides(sign) => {
-                let push = (normal + mixed * face * sign) / (1.0 + mu * mixed);
-                (push, mu * push * sign)
-            }
-        };
+        let (push, drag) = self.answer(normal, face, self.state);
         self.force = push.max(0.0) / dt;
         if self.state != State::Open {
             self.row.spread(-push, -drag, gradient);
         }
     }
 
-    /// The time in which the contact would close, and the impulse by which it resists a velocity that is too high (1/R_n). One that has
-    /// been pressed in does not bounce.
-    fn response(&self, dt: f64) -> (f64, f64) {
-        let horizon = if self.gap < 0.0 { dt + REBOUND } else { dt };
-        (horizon, STIFFNESS * dt * horizon)
+    /// The impulses without a cone.
+    fn free(&self, opening: f64, sliding: f64) -> (f64, f64) {
+        (
+            (self.bias - opening) * self.stiffness,
+            -sliding / self.softness,
+        )
+    }
+
+    /// How a contact stands that would answer so without a cone.
+    fn stand(&self, normal: f64, face: f64) -> State {
+        if face.abs() <= self.friction * normal {
+            State::Sticks
+        } else if normal + self.mixed * face.abs() > 0.0 {
+            State::Slides(face.signum())
+        } else {
+            State::Open
+        }
+    }
+
+    /// The impulses along the normal and along the face.
+    fn answer(&self, normal: f64, face: f64, state: State) -> (f64, f64) {
+        match state {
+            State::Open => (0.0, 0.0),
+            State::Sticks => (normal, face),
+            State::Slides(sign) => {
+                let mu = self.friction;
+                let push = (normal + self.mixed * face * sign) / (1.0 + mu * self.mixed);
+                (push, mu * push * sign)
+            }
+        }
     }
 
     /// Adds the derivative of [`Self::evaluate`]'s terms.
-    pub(crate) fn add_stiffness(&self, dt: f64, matrix: &mut Envelope) {
-        let (_, stiffness) = self.response(dt);
+    pub(crate) fn add_stiffness(&self, matrix: &mut Matrix) {
         match self.state {
             State::Open => {}
-            State::Sticks => self.row.square(stiffness, 1.0 / self.softness, matrix),
+            State::Sticks => self.row.square(self.stiffness, 1.0 / self.softness, matrix),
             State::Slides(sign) => {
                 let mu = self.friction;
-                let weight = stiffness / (1.0 + mu * mu * self.softness * stiffness);
+                let weight = self.stiffness / (1.0 + mu * self.mixed);
                 self.row.mixed(mu * sign).square(weight, 0.0, matrix);
             }
         }
     }
-}
 
-impl ContactTerm {
     /// How deep it is at the iterate, m.
     pub(crate) fn depth(&self) -> f64 {
         self.force / STIFFNESS

@@ -72,27 +72,32 @@ impl World {
         }
         // Which unknowns depend on each other, before the rows can be written.
         let links = self.chain.links();
-        let sizes = (self.bodies.iter().map(|b| if b.awake { 3 } else { 0 }))
-            .chain(std::iter::repeat_n(2, links - 1));
-        self.order.begin(sizes);
+        let count = self.bodies.len();
+        let bodies = &self.bodies;
+        self.pattern
+            .begin((0..count + links - 1).map(|part| part >= count || bodies[part].awake));
         for node in 0..=links {
             for other in [node + 1, node + 2] {
                 if other <= links {
-                    self.order.tie(self.part(node), self.part(other));
+                    self.pattern.tie(self.part(node), self.part(other));
                 }
             }
         }
+        let mut last = None;
         for (a, b, ..) in &pairs {
             // The two ends of a link are tied already.
-            if let Other::Moving(b) = b {
+            if let Other::Moving(b) = b
+                && last.replace((a, b)) != Some((a, b))
+            {
                 for first in self.parts_of(*a) {
                     for second in self.parts_of(*b) {
-                        self.order.tie(first, second);
+                        self.pattern.tie(first, second);
                     }
                 }
             }
         }
-        self.order.finish();
+        let reordered = self.pattern.finish();
+        self.reordered = self.reordered || reordered;
         self.lay_out_ties(dt);
         // Both lists are in the order of their pairs.
         let mut known = 0;
@@ -103,6 +108,7 @@ impl World {
             if let Other::Moving(b) = b {
                 self.push_place(&mut row, b, place, normal, face);
             }
+            row.locate(&self.pattern);
             let mut contact = ContactTerm::new((a, b), place, row, gap, self.contact_friction);
             while self
                 .before
@@ -148,14 +154,14 @@ impl World {
         let links = self.chain.links();
         for node in 0..=links {
             let part = self.part(node);
-            let offset = self.order.offset(part);
+            let slot = self.pattern.slot(part);
             self.chain.ties[node] = if part < 2 {
                 Tie::Held {
-                    offset,
+                    slot,
                     arm: self.bodies[part].hitch_arm(dt),
                 }
             } else {
-                Tie::Free { offset }
+                Tie::Free { slot }
             };
         }
     }
@@ -165,8 +171,8 @@ impl World {
         let link = match self.movers[moving] {
             Mover::Body(body) => {
                 let arm = place - self.bodies[body].place;
-                let offset = self.order.offset(body);
-                row.push(Tie::Held { offset, arm }, along, across);
+                let slot = self.pattern.slot(body);
+                row.push(Tie::Held { slot, arm }, along, across);
                 return;
             }
             Mover::Link(link) => link,

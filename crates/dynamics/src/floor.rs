@@ -1,7 +1,8 @@
 //! Friction of an object on the floor: four support points, each with a quarter of the weight.
 
-use crate::envelope::Envelope;
+use crate::block::Triple;
 use crate::friction::{self, Drag};
+use crate::matrix::Matrix;
 use pairtrawl_geometry::Point;
 
 /// Support points of an object and their part in the system of a step.
@@ -36,31 +37,35 @@ impl Supports {
         self.arms = self.places.map(|p| axis * p.x + axis.perp() * p.y);
     }
 
-    /// Adds minus the floor's impulses at the velocities `u` to the gradient.
-    pub(crate) fn evaluate(
-        &mut self,
-        dt: f64,
-        first: bool,
-        offset: usize,
-        u: &[f64],
-        gradient: &mut [f64],
-    ) {
-        let velocity = Point::new(u[offset], u[offset + 1]);
-        let spin = u[offset + 2];
+    /// Adds minus the floor's impulses at the velocities `u` of the object to its gradient.
+    pub(crate) fn evaluate(&mut self, dt: f64, first: bool, u: &Triple, gradient: &mut Triple) {
+        let velocity = Point::new(u[0], u[1]);
         let (mut force, mut torque) = (Point::ZERO, 0.0);
         for (arm, drag) in self.arms.iter().zip(&mut self.drags) {
             let held = first && drag.holds;
-            *drag = friction::drag(self.limit, velocity + arm.perp() * spin, held);
+            *drag = friction::drag(self.limit, velocity + arm.perp() * u[2], held);
             force += drag.force;
             torque += arm.cross(drag.force);
         }
-        gradient[offset] -= dt * force.x;
-        gradient[offset + 1] -= dt * force.y;
-        gradient[offset + 2] -= dt * torque;
+        gradient[0] -= dt * force.x;
+        gradient[1] -= dt * force.y;
+        gradient[2] -= dt * torque;
+    }
+
+    /// Minus the power of the floor's impulses along the direction `d`, at the velocities `u`.
+    pub(crate) fn slope(&self, dt: f64, u: &Triple, d: &Triple) -> f64 {
+        let (velocity, rate) = (Point::new(u[0], u[1]), Point::new(d[0], d[1]));
+        let mut power = 0.0;
+        for arm in &self.arms {
+            let n = arm.perp();
+            let force = friction::force(self.limit, velocity + n * u[2]);
+            power += force.dot(rate + n * d[2]);
+        }
+        -dt * power
     }
 
     /// Adds the derivative of [`Self::evaluate`]'s terms.
-    pub(crate) fn add_stiffness(&self, dt: f64, offset: usize, matrix: &mut Envelope) {
+    pub(crate) fn add_stiffness(&self, dt: f64, slot: u32, matrix: &mut Matrix) {
         let mut sum = [0.0; 6];
         for (arm, drag) in self.arms.iter().zip(&self.drags) {
             let (t, n) = (drag.direction, drag.direction.perp());
@@ -75,12 +80,13 @@ impl Supports {
                 sum[5] += weight * turn * turn;
             }
         }
-        let o = offset;
-        for (value, (i, j)) in sum
-            .into_iter()
-            .zip([(0, 0), (1, 0), (1, 1), (2, 0), (2, 1), (2, 2)])
-        {
-            matrix.add(o + i, o + j, dt * value);
+        let [xx, xy, yy, xt, yt, tt] = sum.map(|value| dt * value);
+        let rows = [[xx, xy, xt], [xy, yy, yt], [xt, yt, tt]];
+        let block = &mut matrix.blocks[slot as usize];
+        for (column, values) in block.iter_mut().zip(rows) {
+            for (entry, value) in column.iter_mut().zip(values) {
+                *entry += value;
+            }
         }
     }
 }

@@ -50,6 +50,11 @@ pub(crate) fn drag(limit: f64, velocity: Point, held: bool) -> Drag {
     }
 }
 
+/// The force alone.
+pub(crate) fn force(limit: f64, velocity: Point) -> Point {
+    velocity * (-limit / velocity.norm().max(CREEP))
+}
+
 /// The same along a line: force and -df/dv.
 pub(crate) fn drag_along(limit: f64, velocity: f64, held: bool) -> (f64, f64) {
     if held || velocity.abs() < CREEP {

@@ -10,7 +10,7 @@
 //! | friction on the floor: Coulomb's, per support point | `friction`, `floor` |
 //! | contacts: stiff, Coulomb's cone, rounded convex shapes | `contact`, `manifold` |
 //! | which pairs to look at, what sleeps | `neighbors`, `sleep` |
-//! | the step: Newton's method with a banded direct solver | `newton`, `balance`, `envelope`, `order` |
+//! | the step: Newton's method with a sparse direct solver | `newton`, `balance`, `pattern`, `elimination`, `factor` |
 //!
 //! # The step
 //!
@@ -23,7 +23,9 @@
 //!
 //! implicit Euler, with directions and gaps of the beginning or, where that keeps lengths exact to second order, of the foreseen
 //! middle of the step. Every potential is convex, so there is one solution; a step ends when no part is left with more than 1e-4 N (in units of
-//! the machine). Then places follow: x += dt u. The matrix is sparse along the chain and is factored within its envelope. While nothing changes
+//! the machine). Then places follow: x += dt u. The matrix is sparse: parts that do not touch do not
+//! depend on each other. It is factored in blocks of three velocities a part, in an order of minimum degree that lasts until something new
+//! comes near something. While nothing changes
 //! its state (slides, sticks, pushes) a step costs one factorization.
 //!
 //! # Limits
@@ -40,19 +42,22 @@
 //! formulation of compliant contact, IEEE T-RO 39, 2023; Todorov, Convex and analytically-invertible dynamics with contacts and constraints, ICRA 2014.
 
 mod balance;
+mod block;
 mod body;
 mod chain;
 mod contact;
 mod detection;
-mod envelope;
+mod elimination;
+mod factor;
 mod floor;
 mod friction;
 mod manifold;
+mod matrix;
 mod near;
 mod neighbors;
 mod newton;
-mod order;
 mod outline;
+mod pattern;
 mod reading;
 mod row;
 mod setup;

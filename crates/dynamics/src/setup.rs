@@ -70,6 +70,14 @@ pub struct Work {
     pub steps: u64,
     /// Linear systems solved.
     pub systems: u64,
+    /// Products of blocks of three by three in the factors of these systems.
+    pub products: u64,
+    /// Looks for how far to go along a direction.
+    pub looks: u64,
+    /// Robots, hinges and objects that took part, summed over the steps.
+    pub parts: u64,
+    /// Places that were looked at for contact, summed over the steps.
+    pub contacts: u64,
     /// Steps that ended above the tolerance.
     pub unconverged: u64,
 }

@@ -6,9 +6,11 @@
 //! push harder than its motor or than half the traction mu m g. What the traction leaves holds the axle sideways. Both act
 //! through the step's end velocities, so that the stiff speed loop is stable at any step.
 
+use crate::block::Triple;
 use crate::body::Body;
-use crate::envelope::Envelope;
 use crate::friction;
+use crate::matrix::Matrix;
+use crate::pattern::Pattern;
 use crate::row::{Row, Tie};
 use pairtrawl_geometry::Point;
 
@@ -63,7 +65,7 @@ impl Wheels {
     }
 
     /// At the beginning of a step: the directions at its middle, as the last step foresees it.
-    pub(crate) fn begin(&mut self, dt: f64, body: &Body, offset: usize) {
+    pub(crate) fn begin(&mut self, dt: f64, body: &Body, slot: u32, pattern: &Pattern) {
         let p = self.parameters;
         let forward = Point::unit(body.heading + 0.5 * dt * body.spin);
         self.forward = forward;
@@ -71,7 +73,8 @@ impl Wheels {
         let form = |direction: Point, turn: f64| {
             let mut row = Row::default();
             let arm = direction.perp() * -turn;
-            row.push(Tie::Held { offset, arm }, direction, Point::ZERO);
+            row.push(Tie::Held { slot, arm }, direction, Point::ZERO);
+            row.locate(pattern);
             row
         };
         self.terms[0].0 = form(forward, -p.half_track);
@@ -86,36 +89,57 @@ impl Wheels {
         first: bool,
         mass: f64,
         drive: &Drive,
-        u: &[f64],
-        gradient: &mut [f64],
+        u: &[Triple],
+        gradient: &mut [Triple],
     ) {
-        let p = self.parameters;
+        let speeds = [0, 1, 2].map(|k: usize| self.terms[k].0.at(u).0);
+        let forces = self.forces(first, mass, drive, speeds);
+        for ((row, force, slope), now) in self.terms.iter_mut().zip(forces) {
+            (*force, *slope) = now;
+            row.spread(-dt * now.0, 0.0, gradient);
+        }
+    }
+
+    /// Minus the power of these impulses along a direction, at so far along it.
+    pub(crate) fn slope(
+        &self,
+        dt: f64,
+        mass: f64,
+        drive: &Drive,
+        (u, direction, length): (&[Triple], &[Triple], f64),
+    ) -> f64 {
+        let rates = [0, 1, 2].map(|k: usize| self.terms[k].0.at(direction).0);
+        let speeds = [0, 1, 2].map(|k: usize| self.terms[k].0.at(u).0 + length * rates[k]);
+        let forces = self.forces(false, mass, drive, speeds);
+        let power: f64 = rates.iter().zip(forces).map(|(r, (f, _))| r * f).sum();
+        -dt * power
+    }
+
+    /// Force and -d(force)/d(speed) of the left wheel, the right wheel and sideways, at these speeds.
+    fn forces(&self, holds: bool, mass: f64, drive: &Drive, speeds: [f64; 3]) -> [(f64, f64); 3] {
+        let p = &self.parameters;
         let limit = (p.max_torque / p.radius).min(0.5 * p.traction);
         let gain = 0.5 * mass * BANDWIDTH;
+        let mut forces = [(0.0, 0.0); 3];
         let mut along = 0.0;
         for (wheel, sign) in [-1.0, 1.0].into_iter().enumerate() {
-            let (row, force, slope) = &mut self.terms[wheel];
-            (*force, *slope) = match *drive {
+            forces[wheel] = match *drive {
                 Drive::Torques(torques) => ((torques[wheel] / p.radius).clamp(-limit, limit), 0.0),
                 Drive::Velocity { forward, turn_rate } => {
-                    let speed = row.at(u).0;
-                    let wanted = gain * (forward + sign * p.half_track * turn_rate - speed);
+                    let wanted = gain * (forward + sign * p.half_track * turn_rate - speeds[wheel]);
                     let free = wanted.abs() < limit;
                     (wanted.clamp(-limit, limit), if free { gain } else { 0.0 })
                 }
             };
-            along += *force;
+            along += forces[wheel].0;
         }
         let room = (p.traction * p.traction - along * along).max(0.0).sqrt();
-        let (row, force, slope) = &mut self.terms[2];
-        (*force, *slope) = friction::drag_along(room, row.at(u).0, first);
-        for (row, force, _) in &self.terms {
-            row.spread(-dt * force, 0.0, gradient);
-        }
+        forces[2] = friction::drag_along(room, speeds[2], holds);
+        forces
     }
 
     /// Adds the derivative of [`Self::evaluate`]'s terms.
-    pub(crate) fn add_stiffness(&self, dt: f64, matrix: &mut Envelope) {
+    pub(crate) fn add_stiffness(&self, dt: f64, matrix: &mut Matrix) {
         for (row, _, slope) in &self.terms {
             if *slope > 0.0 {
                 row.square(dt * slope, 0.0, matrix);

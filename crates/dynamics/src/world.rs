@@ -7,8 +7,8 @@ use crate::floor::{self, Supports};
 use crate::near::{Mover, Near};
 use crate::neighbors::{Grid, Neighbors, SKIN};
 use crate::newton::System;
-use crate::order::Order;
 use crate::outline::MovingShape;
+use crate::pattern::Pattern;
 use crate::setup::{Footprint, Setup, Work};
 use crate::solid::Solid;
 use crate::wheels::{Drive, Wheels};
@@ -23,7 +23,9 @@ pub struct World {
     pub(crate) supports: Vec<Supports>,
     pub(crate) chain: Chain,
     pub(crate) contacts: Vec<ContactTerm>,
-    pub(crate) order: Order,
+    pub(crate) pattern: Pattern,
+    /// The pattern is a new one.
+    pub(crate) reordered: bool,
     pub(crate) system: System,
     /// Places where something may touch in this step.
     pub(crate) near: Vec<Near>,
@@ -128,7 +130,8 @@ impl World {
             chain,
             contacts: Vec::new(),
             before: Vec::new(),
-            order: Order::default(),
+            pattern: Pattern::default(),
+            reordered: true,
             system: System::default(),
             near: Vec::new(),
             grid: Grid::new(&obstacles),
