@@ -5,6 +5,7 @@ use crate::matrix::Matrix;
 use crate::newton::{System, Terms};
 use crate::pattern::Pattern;
 use crate::wheels::Drive;
+use crate::work::Stage;
 use crate::world::World;
 
 /// All that acts in a step besides what is linear.
@@ -20,8 +21,9 @@ impl World {
     pub(crate) fn solve(&mut self, dt: f64, drives: &[Drive; 2]) {
         let mut system = std::mem::take(&mut self.system);
         let pattern = std::mem::take(&mut self.pattern);
-        let mut work = self.work;
+        let (mut work, mut watch) = (self.work, self.watch);
         self.fill(&mut system, &pattern, dt);
+        watch.ends(Stage::Rows, &mut work);
         work.steps += 1;
         work.parts += pattern.size() as u64;
         work.contacts += self.contacts.len() as u64;
@@ -31,9 +33,9 @@ impl World {
             dt,
             drives,
         };
-        system.solve(&pattern, &mut balance, dt, &mut work);
+        system.solve(&pattern, &mut balance, dt, (&mut work, &mut watch));
         self.chain.finish(dt, &system.u);
-        self.work = work;
+        (self.work, self.watch) = (work, watch);
         self.system = system;
         self.pattern = pattern;
     }

@@ -70,9 +70,10 @@ pub(crate) fn cholesky(block: &mut Block) {
         }
         block[c][c] = inverse;
         for next in c + 1..3 {
-            let factor = block[c][next];
-            for row in next..3 {
-                block[next][row] -= block[c][row] * factor;
+            let from = block[c];
+            let factor = from[next];
+            for (entry, value) in block[next].iter_mut().zip(from).skip(next) {
+                *entry -= value * factor;
             }
         }
     }

@@ -272,6 +272,11 @@ impl Chain {
         }
     }
 
+    /// Velocities of hinges and hitches in the step that was solved last.
+    pub(crate) fn found(&self) -> &[Point] {
+        &self.found
+    }
+
     /// Greatest speed of a hinge or hitch in the step that was solved last, m/s.
     pub(crate) fn greatest_speed_found(&self) -> f64 {
         self.found.iter().map(|v| v.norm()).fold(0.0, f64::max)

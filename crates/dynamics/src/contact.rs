@@ -4,7 +4,7 @@
 //! (v_n, v_t) would, without a cone, answer with the impulses
 //!
 //! ```text
-//! y_n = (-gap/dt - v_n) / R_n,   y_t = -v_t / R_t,   R_n = 1 / (K dt^2),   R_t = min(w/500, s / (mu N dt)).
+//! y_n = (-gap/dt - v_n) / R_n,   y_t = -v_t / R_t,   R_n = 1 / (K dt^2),   R_t = min(w/100, s / (mu N dt)).
 //! ```
 //!
 //! w is the inverse mass that is felt along the face, N the contact's normal force in the step before, s a creeping speed: what sticks
@@ -28,7 +28,7 @@ pub(crate) const STIFFNESS: f64 = 1e5;
 /// Relaxation of a contact that has been pressed in, in units of the machine's time.
 const REBOUND: f64 = 2e-3;
 /// R_t over the inverse mass that is felt along the face, at most.
-const SLIP: f64 = 2e-3;
+const SLIP: f64 = 1e-2;
 
 /// A contact of a step.
 #[derive(Clone, Copy, Debug)]

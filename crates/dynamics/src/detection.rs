@@ -5,8 +5,14 @@ use crate::manifold;
 use crate::near::Mover;
 use crate::outline::MovingShape;
 use crate::row::{Row, Tie};
+use crate::work::Stage;
 use crate::world::World;
 use pairtrawl_geometry::Point;
+
+/// What is nearer than this takes part in a step, in units of the machine's length.
+const NARROW: f64 = 2e-4;
+/// What would close in so many steps takes part.
+const FORESIGHT: f64 = 3.0;
 
 impl World {
     /// Shapes and support points at the beginning of a step.
@@ -51,25 +57,32 @@ impl World {
         self.drift = 0.0;
     }
 
-    /// Finds the contacts within `reach` (m), and the order of the unknowns that they tie together.
-    pub(crate) fn find_contacts(&mut self, dt: f64, reach: f64) {
+    /// Finds the contacts within `reach` (m), and the order of the unknowns that they tie together. What does not seem to close in this
+    /// step is only watched, unless `all` shall take part.
+    pub(crate) fn find_contacts(&mut self, dt: f64, reach: f64, all: bool) {
         std::mem::swap(&mut self.contacts, &mut self.before);
         self.contacts.clear();
         let mut pairs = std::mem::take(&mut self.near);
+        let mut watched = std::mem::take(&mut self.watched);
         pairs.clear();
-        for &(a, b) in &self.neighbors.moving {
-            let found =
-                manifold::between(self.shapes[a].outline(), self.shapes[b].outline(), reach);
-            pairs.extend(
-                (0..found.count).map(|k| (a, Other::Moving(b), found.normal, found.points[k])),
-            );
+        watched.clear();
+        let moving = self.neighbors.moving.iter();
+        let moving = moving.map(|&(a, b)| (a, Other::Moving(b), self.shapes[b].outline()));
+        let fixed = self.neighbors.fixed.iter();
+        let fixed = fixed.map(|&(a, b)| (a, Other::Fixed(b), self.fixed[b].outline()));
+        for (a, b, outline) in moving.chain(fixed) {
+            let found = manifold::between(self.shapes[a].outline(), outline, reach);
+            let points = &found.points[..found.count];
+            let closes = |&(place, gap): &(Point, f64)| {
+                let opening = self.opening(Velocities::Before, a, b, found.normal, place);
+                gap < NARROW || gap + FORESIGHT * dt * opening < 0.0
+            };
+            let takes_part = all || points.iter().any(closes);
+            let list = if takes_part { &mut pairs } else { &mut watched };
+            list.extend(points.iter().map(|&point| (a, b, found.normal, point)));
         }
-        for &(a, b) in &self.neighbors.fixed {
-            let found = manifold::between(self.shapes[a].outline(), self.fixed[b].outline(), reach);
-            pairs.extend(
-                (0..found.count).map(|k| (a, Other::Fixed(b), found.normal, found.points[k])),
-            );
-        }
+        self.watched = watched;
+        self.watch.ends(Stage::Contacts, &mut self.work);
         // Which unknowns depend on each other, before the rows can be written.
         let links = self.chain.links();
         let count = self.bodies.len();
@@ -98,6 +111,8 @@ impl World {
         }
         let reordered = self.pattern.finish();
         self.reordered = self.reordered || reordered;
+        self.work.orders += u64::from(reordered);
+        self.watch.ends(Stage::Order, &mut self.work);
         self.lay_out_ties(dt);
         // Both lists are in the order of their pairs.
         let mut known = 0;
@@ -128,6 +143,55 @@ impl World {
             self.contacts.push(contact);
         }
         self.near = pairs;
+    }
+
+    /// True when something that was only watched would close in the step that was solved last.
+    pub(crate) fn something_closed(&self, dt: f64) -> bool {
+        self.watched.iter().any(|&(a, b, normal, (place, gap))| {
+            gap + dt * self.opening(Velocities::Found, a, b, normal, place) < 0.0
+        })
+    }
+
+    /// How fast two things move apart at a place, m/s. What slides along a face is pushed off it by its cone: its gap closes
+    /// as if it came nearer by mu times its sliding speed.
+    fn opening(&self, when: Velocities, a: usize, b: Other, normal: Point, place: Point) -> f64 {
+        let own = self.velocity_at(when, a, place);
+        let other = match b {
+            Other::Moving(b) => self.velocity_at(when, b, place),
+            Other::Fixed(_) => Point::ZERO,
+        };
+        let relative = other - own;
+        normal.dot(relative) - self.contact_friction * normal.cross(relative).abs()
+    }
+
+    /// The velocity of a place on something that moves.
+    fn velocity_at(&self, when: Velocities, moving: usize, place: Point) -> Point {
+        match self.movers[moving] {
+            Mover::Body(part) => {
+                let body = &self.bodies[part];
+                let (velocity, spin) = match when {
+                    Velocities::Before => (body.velocity, body.spin),
+                    Velocities::Found => {
+                        let [x, y, spin] = self.solution(part);
+                        (Point::new(x, y), spin)
+                    }
+                };
+                velocity + (place - body.place).perp() * spin
+            }
+            Mover::Link(link) => {
+                let velocities = match when {
+                    Velocities::Before => &self.chain.velocities[..],
+                    Velocities::Found => self.chain.found(),
+                };
+                let (a, b) = (self.chain.places[link], self.chain.places[link + 1]);
+                let (line, from) = (b - a, place - a);
+                let squared = line.norm_squared();
+                let (s, lever) = (from.dot(line) / squared, line.cross(from) / squared);
+                let relative = velocities[link + 1] - velocities[link];
+                let turn = line.perp().dot(relative) / squared;
+                velocities[link] + relative * s - line * (lever * turn)
+            }
+        }
     }
 
     /// The part of the system that a node of the net belongs to.
@@ -192,6 +256,13 @@ impl World {
         row.push(self.chain.ties[link], a0, a1);
         row.push(self.chain.ties[link + 1], b0, b1);
     }
+}
+
+/// Which velocities: those before a step, or those at its end as they were found.
+#[derive(Clone, Copy)]
+enum Velocities {
+    Before,
+    Found,
 }
 
 /// Pairs in the order in which contacts are found: first those of moving things, then those with fixed shapes.

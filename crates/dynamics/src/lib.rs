@@ -23,10 +23,10 @@
 //!
 //! implicit Euler, with directions and gaps of the beginning or, where that keeps lengths exact to second order, of the foreseen
 //! middle of the step. Every potential is convex, so there is one solution; a step ends when no part is left with more than 1e-4 N (in units of
-//! the machine). Then places follow: x += dt u. The matrix is sparse: parts that do not touch do not
-//! depend on each other. It is factored in blocks of three velocities a part, in an order of minimum degree that lasts until something new
-//! comes near something. While nothing changes
-//! its state (slides, sticks, pushes) a step costs one factorization.
+//! the machine). Then places follow: x += dt u. The matrix is sparse: parts that do not touch do not depend on each other. It is factored
+//! in blocks of three velocities a part, in an order of minimum degree that lasts until something new comes near something. What is near but
+//! does not close takes no part; should it turn out to close, the step is solved again with it. While nothing changes its state (slides, sticks, pushes)
+//! a step costs one factorization.
 //!
 //! # Limits
 //!
@@ -67,11 +67,13 @@ mod solid;
 mod tests;
 mod touch;
 mod wheels;
+mod work;
 mod world;
 
 pub use chain::NetParameters;
-pub use setup::{Footprint, ObjectParameters, RobotParameters, Setup, Work};
+pub use setup::{Footprint, ObjectParameters, RobotParameters, Setup};
 pub use solid::Solid;
 pub use touch::{Part, Touch};
 pub use wheels::{Drive, WheelParameters};
+pub use work::{Stage, Work};
 pub use world::World;

@@ -10,7 +10,7 @@ use crate::block::Triple;
 use crate::factor::Factor;
 use crate::matrix::Matrix;
 use crate::pattern::Pattern;
-use crate::setup::Work;
+use crate::work::{Stage, Stopwatch, Work};
 
 /// A step is solved when no part is left with more force than this, in units of the machine's force.
 const TOLERANCE: f64 = 1e-4;
@@ -90,7 +90,7 @@ impl System {
         pattern: &Pattern,
         terms: &mut impl Terms,
         dt: f64,
-        work: &mut Work,
+        (work, watch): (&mut Work, &mut Stopwatch),
     ) {
         self.linear.multiply(pattern, &self.u, &mut self.balance);
         add(&mut self.balance, -1.0, &self.constant);
@@ -99,12 +99,15 @@ impl System {
         for iteration in 0..ITERATIONS {
             self.matrix.copy_from(&self.linear);
             terms.add_stiffness(&mut self.matrix);
+            watch.ends(Stage::Matrices, work);
             work.systems += 1;
             work.products += self.factor.update(pattern, &self.matrix);
+            watch.ends(Stage::Factors, work);
             for (d, g) in self.direction.iter_mut().zip(&self.gradient) {
                 *d = g.map(|g| -g);
             }
             self.factor.solve(pattern, &mut self.direction);
+            watch.ends(Stage::Solutions, work);
             terms.direct(&self.direction);
             let along = &self.direction;
             self.linear.multiply(pattern, along, &mut self.product);
@@ -117,6 +120,7 @@ impl System {
             add(&mut self.balance, length, &self.product);
             terms.advance(length);
             self.evaluate(terms, false);
+            watch.ends(Stage::Searches, work);
             if self.residual() <= TOLERANCE * dt {
                 return;
             }

@@ -3,8 +3,8 @@
 use crate::body::Body;
 use crate::contact::Other;
 use crate::near::Mover;
-use crate::setup::Work;
 use crate::touch::{Part, Touch};
+use crate::work::Work;
 use crate::world::World;
 use pairtrawl_geometry::{Point, Pose};
 

@@ -62,22 +62,3 @@ pub struct Setup {
     /// Coulomb's coefficient between things that touch.
     pub contact_friction: f64,
 }
-
-/// How much work the steps were.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
-pub struct Work {
-    /// Steps, those that were divided counted by their parts.
-    pub steps: u64,
-    /// Linear systems solved.
-    pub systems: u64,
-    /// Products of blocks of three by three in the factors of these systems.
-    pub products: u64,
-    /// Looks for how far to go along a direction.
-    pub looks: u64,
-    /// Robots, hinges and objects that took part, summed over the steps.
-    pub parts: u64,
-    /// Places that were looked at for contact, summed over the steps.
-    pub contacts: u64,
-    /// Steps that ended above the tolerance.
-    pub unconverged: u64,
-}

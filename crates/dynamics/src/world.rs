@@ -9,9 +9,10 @@ use crate::neighbors::{Grid, Neighbors, SKIN};
 use crate::newton::System;
 use crate::outline::MovingShape;
 use crate::pattern::Pattern;
-use crate::setup::{Footprint, Setup, Work};
+use crate::setup::{Footprint, Setup};
 use crate::solid::Solid;
 use crate::wheels::{Drive, Wheels};
+use crate::work::{Stage, Stopwatch, Work};
 use pairtrawl_geometry::Point;
 
 /// Two robots, the net and the objects in motion among obstacles.
@@ -29,7 +30,9 @@ pub struct World {
     pub(crate) system: System,
     /// Places where something may touch in this step.
     pub(crate) near: Vec<Near>,
-    /// Those of the step before.
+    /// Places that are near but do not take part in this step, unless they turn out to close.
+    pub(crate) watched: Vec<Near>,
+    /// The contacts of the step before.
     pub(crate) before: Vec<ContactTerm>,
     /// In the map frame, in the order of `movers`.
     pub(crate) shapes: Vec<MovingShape>,
@@ -48,6 +51,7 @@ pub struct World {
     pub(crate) loads: [Point; 2],
     pub(crate) pushes: [[f64; 2]; 2],
     pub(crate) work: Work,
+    pub(crate) watch: Stopwatch,
 }
 
 /// In a step nothing moves farther than this, else the step is divided, in units of the machine: most of the net's thickness.
@@ -134,6 +138,7 @@ impl World {
             reordered: true,
             system: System::default(),
             near: Vec::new(),
+            watched: Vec::new(),
             grid: Grid::new(&obstacles),
             fixed: obstacles,
             neighbors: Neighbors::default(),
@@ -144,11 +149,18 @@ impl World {
             loads: [Point::ZERO; 2],
             pushes: [[0.0; 2]; 2],
             work: Work::default(),
+            watch: Stopwatch::default(),
         }
+    }
+
+    /// Has the stages of the steps timed with this clock: [`Work::times`].
+    pub fn measure(&mut self, clock: fn() -> u64) {
+        self.watch = Stopwatch::new(clock);
     }
 
     /// Advances by `dt` (s) with these drives of the (left, right) robot.
     pub fn step(&mut self, dt: f64, drives: &[Drive; 2]) {
+        self.watch.start();
         let before = [0, 1].map(|i| self.bodies[i].velocity);
         let mut impulse = [Point::ZERO; 2];
         self.pushes = [[0.0; 2]; 2];
@@ -170,11 +182,12 @@ impl World {
     ) {
         let mut reach = 1e-3 + 2.5 * dt * self.greatest_speed();
         self.place_shapes();
+        let mut all = false;
         loop {
             if self.drift + self.drift + reach > SKIN {
                 self.find_neighbors();
             }
-            self.find_contacts(dt, reach);
+            self.find_contacts(dt, reach, all);
             self.solve(dt, drives);
             let moved = self.greatest_displacement(dt);
             if moved > LONGEST_MOVE && divisions > 0 {
@@ -183,8 +196,13 @@ impl World {
                 }
                 return;
             }
+            if !all && self.something_closed(dt) {
+                all = true;
+                continue;
+            }
             if 2.0 * moved <= reach {
                 self.accept(dt, moved, impulse);
+                self.watch.ends(Stage::Motion, &mut self.work);
                 return;
             }
             reach = 2.5 * moved;

@@ -21,10 +21,24 @@ pub fn rehearse(
     reference: &Reference,
     options: &Options,
 ) -> Result<RehearsalRecord, SimulationError> {
-    let options = &options.for_scene(scene);
     let start = pair_pose(&reference.at(0.0));
-    let mut simulation = Simulation::starting_at(scene, net_length, start, options)?;
-    let mut watch = Watch::new(scene, options, &simulation);
+    let mut simulation =
+        Simulation::starting_at(scene, net_length, start, &options.for_scene(scene))?;
+    rehearse_in(&mut simulation, scene, reference, options)
+}
+
+/// The same in a simulation of the scene that was set up with these options and stands at the reference's start.
+///
+/// # Errors
+/// When the physics diverges.
+pub fn rehearse_in(
+    simulation: &mut Simulation,
+    scene: &Scene,
+    reference: &Reference,
+    options: &Options,
+) -> Result<RehearsalRecord, SimulationError> {
+    let options = &options.for_scene(scene);
+    let mut watch = Watch::new(scene, options, simulation);
     let gains = stiff_gains(&simulation.units());
     let time_step = options.time_step;
     let steps = ((reference.duration() + options.settle_time) / time_step).ceil() as u64;
@@ -35,11 +49,11 @@ pub fn rehearse(
             follow(&gains, &scene.robot, &left, &targets[0]),
             follow(&gains, &scene.robot, &right, &targets[1]),
         ])?;
-        watch.observe(&simulation, || {
+        watch.observe(simulation, || {
             Some(pair_pose(&reference.at(simulation.time())))
         });
     }
-    Ok(watch.finish(&simulation))
+    Ok(watch.finish(simulation))
 }
 
 /// k1 = k3 = 10 and k2 = 400 in units of the machine.

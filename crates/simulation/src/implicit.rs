@@ -167,4 +167,12 @@ impl Physics for ImplicitWorld {
     fn energy(&self) -> f64 {
         self.world.energy()
     }
+
+    fn measure(&mut self, clock: fn() -> u64) {
+        self.world.measure(clock);
+    }
+
+    fn work(&self) -> Option<dynamics::Work> {
+        Some(self.world.work())
+    }
 }

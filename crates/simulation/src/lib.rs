@@ -37,6 +37,7 @@ pub use engine::Engine;
 pub use engine::RapierSolver;
 pub use error::SimulationError;
 pub use options::Options;
+pub use pairtrawl_dynamics::{Stage, Work};
 pub use parameters::{Base, Parameters};
 pub use part::Part;
 pub use region::{distance_outside, encloses};

@@ -1,4 +1,5 @@
 use crate::{Contact, RobotDrive, RobotLoad, RobotState};
+use pairtrawl_dynamics::Work;
 use pairtrawl_geometry::{Point, Pose};
 
 /// An engine with everything of a scene in it. All quantities are in units of the machine, all lists in the order of the scene.
@@ -32,4 +33,12 @@ pub(crate) trait Physics {
 
     /// Kinetic energy and what is stored in links, or in tires and support points (rapier).
     fn energy(&self) -> f64;
+
+    /// Has its stages timed, where the engine can do that.
+    fn measure(&mut self, _clock: fn() -> u64) {}
+
+    /// How much work the steps were, where the engine knows.
+    fn work(&self) -> Option<Work> {
+        None
+    }
 }

@@ -4,6 +4,7 @@ use crate::{
     Contact, Engine, Options, Parameters, RobotDrive, RobotLoad, RobotState, SimulationError,
     net_start, obstacles,
 };
+use pairtrawl_dynamics::Work;
 use pairtrawl_geometry::{Point, Pose};
 use pairtrawl_model::{PairPose, Scene, Units, Warning};
 
@@ -191,6 +192,16 @@ impl Simulation {
     /// Kinetic energy of everything and what is stored in stretched links (with rapier: in tires and support points), J.
     pub fn energy(&self) -> f64 {
         self.world.energy() * self.units.torque()
+    }
+
+    /// Has the stages of the steps timed with this clock; rapier's are not.
+    pub fn measure(&mut self, clock: fn() -> u64) {
+        self.world.measure(clock);
+    }
+
+    /// How much work the steps were; `None` with rapier.
+    pub fn work(&self) -> Option<Work> {
+        self.world.work()
     }
 
     /// Warnings for people, from setting up.
