@@ -2,6 +2,7 @@
 //! functions their keywords and results their classes.
 
 mod arrays;
+mod batch;
 mod document;
 mod driving;
 mod errors;

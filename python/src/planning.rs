@@ -1,5 +1,6 @@
 //! Planning, one scene and many; planning again; checking.
 
+use crate::batch::all;
 use crate::errors::{bad_input, internal, plan_error};
 use crate::options::{Given, options};
 use crate::plan::Plan;
@@ -7,17 +8,14 @@ use crate::results::{Certificate, certificate_object};
 use crate::scene::Scene;
 use crate::scene_state::SceneState;
 use crate::typed::{AnyDict, Progress};
-use crate::work::{Event, PlanWatch, QuietWatch, Watch, watched, words};
+use crate::work::{PlanWatch, watched};
 use pairtrawl::{Candidate, PlanError, Planned, Planner};
 use pyo3::inspect::PyStaticExpr;
 use pyo3::prelude::*;
 use pyo3::types::PyList;
 use pyo3::{type_hint_identifier, type_hint_subscript, type_hint_union};
-use rayon::prelude::*;
 use std::convert::Infallible;
-use std::panic::{AssertUnwindSafe, catch_unwind};
 use std::sync::Arc;
-use std::time::Instant;
 
 fn made(
     py: Python<'_>,
@@ -126,24 +124,6 @@ impl<'py> IntoPyObject<'py> for PlansAndErrors<'py> {
     }
 }
 
-/// What comes of one scene of many: the planner's answer or the words of a panic, and the seconds that it took.
-type Answer = (Result<Result<Planned, PlanError>, String>, f64);
-
-fn one(watch: &Watch, index: usize, state: &SceneState, given: &Given) -> Answer {
-    let (loaded, begin) = (&state.loaded, Instant::now());
-    let planned = catch_unwind(AssertUnwindSafe(|| {
-        pairtrawl::plan(
-            &loaded.scene,
-            &loaded.reference,
-            &given.plan,
-            &mut QuietWatch(watch),
-        )
-    }));
-    watch.report(Event::Done(index));
-    let seconds = begin.elapsed().as_secs_f64();
-    (planned.map_err(|panic| words(panic.as_ref())), seconds)
-}
-
 /// Plans scenes in parallel, each with its own options. The answers come in order, and each is the same, bit for bit, as if its
 /// scene was planned alone.
 #[pyfunction]
@@ -166,13 +146,8 @@ pub fn plan_batch<'py>(
     let options = options.iter().map(|options| self::options(&options.0));
     let given = options.collect::<PyResult<Vec<_>>>()?;
     let states: Vec<_> = scenes.iter().map(|scene| scene.state()).collect();
-    let answers: Vec<Answer> = watched(py, threads, progress.callable(), |watch| {
-        let jobs = states.par_iter().zip(&given).enumerate();
-        let answers = jobs
-            .with_max_len(1)
-            .map(|(index, (state, given))| one(watch, index, state, given));
-        answers.collect()
-    })?;
+    let jobs: Vec<_> = states.iter().map(AsRef::as_ref).zip(&given).collect();
+    let answers = watched(py, threads, progress.callable(), |watch| all(watch, &jobs))?;
     let results = PyList::empty(py);
     for (((answer, seconds), state), given) in answers.into_iter().zip(states).zip(&given) {
         let plan = match answer {

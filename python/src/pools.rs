@@ -17,8 +17,13 @@ pub fn pool(threads: usize) -> Result<Arc<ThreadPool>, String> {
     if let Some(pool) = pools.get(&key) {
         return Ok(Arc::clone(pool));
     }
-    let builder = ThreadPoolBuilder::new().num_threads(threads);
-    let made = Arc::new(builder.build().map_err(|error| error.to_string())?);
+    let made = Arc::new(own_pool(threads)?);
     pools.insert(key, Arc::clone(&made));
     Ok(made)
+}
+
+/// A pool of so many threads that nobody else uses.
+pub fn own_pool(threads: usize) -> Result<ThreadPool, String> {
+    let builder = ThreadPoolBuilder::new().num_threads(threads);
+    builder.build().map_err(|error| error.to_string())
 }

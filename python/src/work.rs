@@ -16,7 +16,7 @@ use std::time::Duration;
 /// How often the calling thread looks for signals.
 const GLANCE: Duration = Duration::from_millis(50);
 /// Memory for the stack of the thread that works: as much as a main thread has.
-const STACK_BYTES: usize = 8 << 20;
+pub const STACK_BYTES: usize = 8 << 20;
 
 /// What is reported to a callback.
 pub enum Event {

@@ -2,10 +2,12 @@
 
 from __future__ import annotations
 
+import os
 from collections.abc import Iterable, Iterator, Mapping
 from os import PathLike
 from typing import TYPE_CHECKING, Any, Literal
 
+from pairtrawl._native import Scene
 from pairtrawl.errors import InputError
 from pairtrawl.progress import Progress, reporting
 from pairtrawl.sweeping.engines import on_dask, on_ray, on_threads
@@ -21,7 +23,7 @@ __all__ = ["sweep"]
 
 
 def sweep(
-    scenes: Iterable[SceneLike],
+    scenes: SceneLike | Iterable[SceneLike],
     *,
     table: pd.DataFrame | Iterable[Mapping[str, Any]] | None = None,
     out: str | PathLike[str] | None = None,
@@ -52,6 +54,8 @@ def sweep(
         raise InputError(f"batch_size is {batch_size}, it must be from 1 to 100000")
     rows = None if table is None else _rows(table)
     options = grid(parameters, rows)
+    if isinstance(scenes, (Scene, str, PathLike)):
+        scenes = [scenes]
     if isinstance(scenes, (list, tuple)):
         total: int | None = len(scenes) * len(options)
     else:
@@ -93,8 +97,6 @@ def _rows(table: pd.DataFrame | Iterable[Mapping[str, Any]]) -> Iterable[Mapping
 
 def _fair_size(total: int | None, workers: int | None) -> int:
     """Plans for each task: enough that a task costs little, few enough that all workers have several."""
-    import os
-
     if total is None:
         return 200
     each = total / (8 * (workers or os.cpu_count() or 1))
