@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""Pairtrawl's optimizer and CasADi + IPOPT on the same joint problems, from the same starts, judged by the same `check`."""
+"""Pairtrawl's optimizer and CasADi's IPOPT and fatrop on the same joint problems, from the same starts, judged by the same `check`."""
 
 import argparse
 import datetime
@@ -23,13 +23,15 @@ from solve import margin_price, solve, start_of, write_plan
 
 ROOT = Path(__file__).resolve().parents[2]
 PROGRAM = Path(os.environ.get("CARGO_TARGET_DIR", ROOT / "target")) / "release" / "pairtrawl"
-# IPOPT's results count as equally good within this; of those the faster one stands for it.
+# A peer's results count as equally good within this; of those the faster one stands for it.
 EQUAL = 1e-4
-# Identical runs of IPOPT in one way; the least processor time counts. One is enough on a quiet machine.
+# Identical runs of a peer in one way; the least processor time counts. One is enough on a quiet machine.
 REPEATS = 1
-# IPOPT's first barrier parameters: its own default, and a smaller one that stays nearer to the start.
+# First barrier parameters: IPOPT's own default, and a smaller one that stays nearer to the start.
 BARRIERS = (0.1, 0.01)
-# Our cost may be this much above IPOPT's.
+# What is compared with, and the ways to write the problem down for it.
+PEERS = {"ipopt": ("slip", "steps"), "fatrop": ("stages",)}
+# Our cost may be this much above the cheaper one's.
 TOLERANCE = 1e-3
 
 
@@ -63,15 +65,15 @@ def valid(scene, plan):
     return done.returncode == 0, [c["name"] for c in json.loads(done.stdout)["claims"] if not c["holds"]]
 
 
-def ipopt_results(file, scene, plan, free, directory):
+def peer_results(solver, file, scene, plan, free, directory):
     """Every way from the same start; with margins that may give way only where none converges to a valid one."""
     results = []
     for elastic in (False, True):
-        for formulation, mu in itertools.product(("slip", "steps"), BARRIERS):
+        for formulation, mu in itertools.product(PEERS[solver], BARRIERS):
             length = None if free else plan["net_length"]
-            for result in solve(scene, start_of(plan), length, formulation, elastic, {"mu_init": mu}, REPEATS):
-                write_plan(directory / "ipopt.json", plan, result)
-                result["valid"], result["failed"] = valid(file, directory / "ipopt.json")
+            for result in solve(scene, start_of(plan), length, formulation, elastic, {"mu_init": mu}, REPEATS, solver):
+                write_plan(directory / "peer.json", plan, result)
+                result["valid"], result["failed"] = valid(file, directory / "peer.json")
                 results.append({k: v for k, v in result.items() if k not in ("left", "right")})
         if better(results):
             break
@@ -81,7 +83,7 @@ def ipopt_results(file, scene, plan, free, directory):
 def better(results):
     """The fastest of the converged and valid results that cost least, or None.
 
-    Where no path keeps the whole margin, IPOPT may stop at a point that is valid and optimal for nothing: not a result.
+    Where no path keeps the whole margin, a solver may stop at a point that is valid and optimal for nothing: not a result.
     """
     good = [r for r in results if r["valid"] and r["converged"]]
     if not good:
@@ -130,25 +132,29 @@ def compare(name, source, arguments, directory, repeats):
         return row
     row["waypoints"] = len(plan["left"])
     free = "auto" in arguments
-    row["ipopt_runs"] = ipopt_results(file, scene, plan, free, directory)
-    row["ipopt"] = better(row["ipopt_runs"])
-    if row["ipopt"]:
-        priced = row["ipopt"]["cost"] + row["ipopt"]["margin_price"]
+    for peer in PEERS:
+        row[peer + "_runs"] = peer_results(peer, file, scene, plan, free, directory)
+        row[peer] = better(row[peer + "_runs"])
+    found = [row[peer] for peer in PEERS if row[peer]]
+    if found:
+        cheaper, faster = min(found, key=lambda r: r["cost"]), min(found, key=lambda r: r["seconds"])
+        priced = cheaper["cost"] + cheaper["margin_price"]
         for mine, prefix in (("ours", ""), ("explored", "explored_")):
-            row[prefix + "cost_ratio"] = row[mine]["cost"] / row["ipopt"]["cost"]
+            row[prefix + "cost_ratio"] = row[mine]["cost"] / cheaper["cost"]
             row[prefix + "priced_ratio"] = (row[mine]["cost"] + row[mine]["margin_price"]) / priced
-            row[prefix + "speedup"] = row["ipopt"]["seconds"] / row[mine]["seconds"]
+            row[prefix + "speedup"] = faster["seconds"] / row[mine]["seconds"]
     return row
 
 
 HEAD = (
-    "| scene | N | J ours | J explored | J IPOPT | ours/IPOPT | explored/IPOPT | same with missing margins | valid ours/explored/IPOPT "
-    "| s ours | s explored | s IPOPT | times faster | iterations ours/IPOPT | way |\n|---|---|---|---|---|---|---|---|---|---|---|---|---|---|---|"
+    "| scene | N | J ours | J explored | J IPOPT | J fatrop | ours/cheaper | explored/cheaper | same with missing margins "
+    "| valid ours/explored/IPOPT/fatrop | s ours | s explored | s IPOPT | s fatrop | times faster than the faster "
+    "| iterations ours/IPOPT/fatrop | ways |\n|" + "---|" * 17
 )
 
 
 def kind(result):
-    """Which of the ways to use IPOPT this is."""
+    """Which of the ways to use the peer this is."""
     mu = result["options"]["mu_init"]
     rounds = f", round {result['round']}" if result["round"] > 1 else ""
     return f"{result['formulation']}{' elastic' if result['elastic'] else ''}, mu {mu}{rounds}"
@@ -156,31 +162,37 @@ def kind(result):
 
 def yes(result):
     """Whether it is valid, for the table."""
-    return "yes" if result["valid"] else "no"
+    return "yes" if result and result["valid"] else "no"
+
+
+def way(row, peer):
+    """The way that stands for a peer, or why there is none."""
+    if row[peer]:
+        return f"{peer} {kind(row[peer])}"
+    reasons = (
+        f"{kind(r)}: {r['status'] if not r['converged'] else 'breaks ' + ', '.join(r['failed'])}" for r in row[peer + "_runs"]
+    )
+    return f"{peer} none ({'; '.join(reasons)})"
 
 
 def line(row):
     """A row in Markdown."""
-    o, e, i = row["ours"], row["explored"], row.get("ipopt")
+    o, e = row["ours"], row["explored"]
     if "note" in o:
-        return f"| {row['scene']} | | no plan | {e['cost']:.2f} | | | | | no/{yes(e)}/ | | | | | | {o['note']} |"
-    left = f"| {row['scene']} | {row['waypoints']} | {o['cost']:.2f} | {e['cost']:.2f} "
-    mine = f"{yes(o)}/{yes(e)}"
-    if i is None:
-        why = "; ".join(
-            f"{kind(r)}: {r['status']}"
-            + (f" ({', '.join(r['failed'])})" if r["converged"] else "")
-            for r in row["ipopt_runs"]
-        )
-        spent = min(r["seconds"] for r in row["ipopt_runs"])
-        return left + (
-            f"| - | - | - | - | {mine}/no | {o['seconds']:.4f} | {e['seconds']:.2f} | ({spent:.2f}) | - | {o['iterations']}/- | {why} |"
-        )
-    return left + (
-        f"| {i['cost']:.2f} | {row['cost_ratio']:.5f} | {row['explored_cost_ratio']:.5f} | {row['explored_priced_ratio']:.5f} "
-        f"| {mine}/yes | {o['seconds']:.4f} | {e['seconds']:.2f} | {i['seconds']:.3f} "
-        f"| {row['speedup']:.0f} | {o['iterations']}/{i['iterations']} | {kind(i)} |"
-    )
+        cells = ["", "no plan", f"{e['cost']:.2f}", "", "", "", "", "", f"no/{yes(e)}", "", "", "", "", "", "", o["note"]]
+        return f"| {row['scene']} | {' | '.join(cells)} |"
+    peers = [row[peer] for peer in PEERS]
+    ratios = ("cost_ratio", "explored_cost_ratio", "explored_priced_ratio")
+    cells = [
+        str(row["waypoints"]), f"{o['cost']:.2f}", f"{e['cost']:.2f}", *(f"{p['cost']:.2f}" if p else "-" for p in peers),
+        *(f"{row[r]:.5f}" if r in row else "-" for r in ratios),
+        "/".join(yes(r) for r in (o, e, *peers)),
+        f"{o['seconds']:.4f}", f"{e['seconds']:.2f}", *(f"{p['seconds']:.3f}" if p else "-" for p in peers),
+        f"{row['speedup']:.0f}" if "speedup" in row else "-",
+        "/".join(str(r["iterations"]) if r else "-" for r in (o, *peers)),
+        "; ".join(way(row, peer) for peer in PEERS),
+    ]  # fmt: skip
+    return f"| {row['scene']} | {' | '.join(cells)} |"
 
 
 def percent(rows, prefix, sign):
@@ -196,18 +208,24 @@ def percent(rows, prefix, sign):
 def summary(rows):
     """Medians and the rows where ours is worse."""
     both = [r for r in rows if "cost_ratio" in r]
+    count = {peer: sum(bool(r.get(peer)) for r in rows) for peer in PEERS}
     text = [f"{len(rows)} scenes; valid: ours from one start on {sum(r['ours']['valid'] for r in rows)}, explored on "
-            f"{sum(r['explored']['valid'] for r in rows)}, IPOPT (best of its ways) on {len(both)}."]  # fmt: skip
+            f"{sum(r['explored']['valid'] for r in rows)}, IPOPT (best of its ways) on {count['ipopt']}, fatrop (best of its "
+            f"ways) on {count['fatrop']}."]  # fmt: skip
     for who, prefix in (("one start", ""), ("explored", "explored_")):
         if not both:
             break
         ratios, speedups = [r[prefix + "cost_ratio"] for r in both], [r[prefix + "speedup"] for r in both]
         text.append(
-            f"{who}: median J ours/IPOPT {statistics.median(ratios):.6f} (least {min(ratios):.5f}, greatest "
-            f"{max(ratios):.5f}); median times faster {statistics.median(speedups):.0f} (least {min(speedups):.1f}, "
-            f"greatest {max(speedups):.0f}). Costs more by over 0.1 % {percent(both, prefix, 1)}; costs less by over 0.1 % "
-            f"{percent(both, prefix, -1)}."
+            f"{who}: median J ours/cheaper {statistics.median(ratios):.6f} (least {min(ratios):.5f}, greatest "
+            f"{max(ratios):.5f}); median times faster than the faster {statistics.median(speedups):.0f} (least "
+            f"{min(speedups):.1f}, greatest {max(speedups):.0f}). Costs more by over 0.1 % {percent(both, prefix, 1)}; costs "
+            f"less by over 0.1 % {percent(both, prefix, -1)}."
         )
+    for peer in PEERS:
+        ratios = [r[peer]["seconds"] / r["ours"]["seconds"] for r in rows if r.get(peer)]
+        if ratios:
+            text.append(f"{peer}: {statistics.median(ratios):.0f} times our time at the median, least {min(ratios):.1f}.")
     return "\n\n".join(text)
 
 
@@ -233,9 +251,9 @@ def main():
     parser = argparse.ArgumentParser(description=__doc__)
     parser.add_argument("--scenes", nargs="*", help="names, or parts of names, of the table's first column")
     parser.add_argument("--difficulties", nargs="*", type=int, default=list(range(1, 11)))
-    parser.add_argument("--seeds", nargs="*", type=int, default=[1, 2], help="of generated scenes, each difficulty")
+    parser.add_argument("--seeds", nargs="*", type=int, default=[1], help="of generated scenes, each difficulty")
     parser.add_argument("--repeats", type=int, default=7, help="our runs a scene; the least time counts")
-    parser.add_argument("--json", type=Path, help="write every figure here")
+    parser.add_argument("--json", type=Path, help="write every figure here; scenes that are there already are not run again")
     parser.add_argument("--markdown", type=Path, help="write the table here")
     args = parser.parse_args()
     chosen = [
@@ -245,11 +263,14 @@ def main():
         parser.error(f"no scene is called {args.scenes}")
     if not PROGRAM.exists():
         sys.exit(f"{PROGRAM} is missing: cargo build --release")
+    done = {}
+    if args.json and args.json.exists():
+        done = {row["scene"]: row for row in json.loads(args.json.read_text())["rows"]}
     rows = []
     print(HEAD, flush=True)
     with tempfile.TemporaryDirectory() as directory:
         for case in chosen:
-            rows.append(compare(*case, Path(directory) / case[0], args.repeats))
+            rows.append(done.get(case[0]) or compare(*case, Path(directory) / case[0], args.repeats))
             print(line(rows[-1]), flush=True)
             # Written as it goes: a run that is cut still leaves its rows.
             if args.json:
