@@ -36,6 +36,13 @@ pub enum Warning {
         /// Where, m.
         place: Point,
     },
+    /// The optimizer could not bring the residual as low as it was asked to.
+    NotPolished {
+        /// Relative optimality residual of the plan.
+        residual: f64,
+        /// What was asked for.
+        tolerance: f64,
+    },
     /// The plan that is driven is not certified.
     Unproven {
         /// The claims that fail.
@@ -148,6 +155,14 @@ impl fmt::Display for Warning {
                     "the plan is certified, but its rehearsal fails: {event} at {time} near {place}"
                 )
             }
+            Self::NotPolished {
+                residual,
+                tolerance,
+            } => write!(
+                f,
+                "the optimizer stopped at a residual of {residual:.1e} instead of {tolerance:.1e}: the plan is certified, its \
+                 cost is that of the default tolerance"
+            ),
             Self::Unproven { claims } => {
                 let names: Vec<_> = claims.iter().map(|claim| claim.name()).collect();
                 write!(f, "the plan cannot be proven: {} fails", names.join(", "))

@@ -108,6 +108,7 @@ impl<'a> Course<'a> {
             certify(scene, net_length, &trajectory, Some(&reference))
         })?;
         let shrunk = solution.shrunk_margins.iter();
+        let unpolished = self.unpolished(&solution);
         Ok(Attempt {
             net_length,
             trajectory,
@@ -116,14 +117,26 @@ impl<'a> Course<'a> {
             solver: SolverReport {
                 status: solution.status,
                 iterations: solution.iterations,
-                kkt_error: solution.residuals.largest(),
+                kkt_error: solution.residual,
                 seconds: run.seconds(Stage::Optimize),
             },
             centerline: (origin.centerline().iter())
                 .map(|&pose| scales.pose(pose))
                 .collect(),
             baseline: scales.trajectory(scene, &baseline),
-            warnings: shrunk.map(|margin| self.shrunk_margin(margin)).collect(),
+            warnings: (shrunk.map(|margin| self.shrunk_margin(margin)))
+                .chain(unpolished)
+                .collect(),
+        })
+    }
+
+    /// What a solved problem lacks of the residual that was asked for.
+    fn unpolished(&self, solution: &Solution) -> Option<Warning> {
+        let tolerance = self.prepared.options.tolerance?;
+        let short = solution.status == SolverStatus::Converged && solution.residual > tolerance;
+        short.then_some(Warning::NotPolished {
+            residual: solution.residual,
+            tolerance,
         })
     }
 
@@ -135,7 +148,14 @@ impl<'a> Course<'a> {
         origin: &Origin,
         go_on: &mut dyn FnMut(usize, &Residuals) -> bool,
     ) -> Solution {
-        let settings = origin.settings().settled();
+        let settings = Settings {
+            tolerance: match self.prepared.options.method {
+                Method::Joint => self.prepared.options.tolerance.unwrap_or(f64::INFINITY),
+                // Its rounds end above the joint optimum anyway.
+                Method::Alternating | Method::AlternatingBounded => f64::INFINITY,
+            },
+            ..origin.settings().settled()
+        };
         let first_length = match (self.prepared.options.method, origin) {
             (Method::Joint, Origin::Centerline(..)) => {
                 return optimize_watched(problem, start, &settings, go_on);

@@ -19,6 +19,9 @@ pub struct PlanOptions {
     pub centerline: Option<CenterlineMethod>,
     /// How the trajectories are optimized.
     pub method: Method,
+    /// Relative optimality residual down to which the plan is polished; `None`: its cost is within about 1e-4 of the optimum
+    /// nearby. Where it cannot be reached, the plan has a warning.
+    pub tolerance: Option<f64>,
     /// Seed of whatever is random: the centerline by RRT*.
     pub seed: u64,
     /// Gives up after this time, checked between steps of work.
@@ -43,6 +46,7 @@ impl Default for PlanOptions {
             explore: true,
             centerline: None,
             method: Method::Joint,
+            tolerance: None,
             seed: 0,
             time_limit: None,
             leave: None,

@@ -31,11 +31,16 @@ fn main() {
     let net_length = (!free).then_some(generated.net_length);
     let world = World::new(scene, net_length).expect("a world");
     let problem = Problem::new(scene, net_length, &world.pieces);
+    let mut settings = Settings::default();
+    if let Some(e) = args.iter().find_map(|a| a.strip_prefix("tol=")) {
+        let t: f64 = e.parse().unwrap();
+        settings.tolerance = t;
+    }
     let clock = processor_seconds();
     let solution = optimize_watched(
         &problem,
         &generated.witness,
-        &Settings::default(),
+        &settings,
         &mut |iteration, r| {
             println!(
                 "{iteration:4} dual {:9.2e} primal {:9.2e} compl {:9.2e} gap {:9.2e}",

@@ -14,11 +14,31 @@ use crate::problem::Problem;
 use crate::rule::Rules;
 use crate::step::{Coordinate, Step};
 use crate::system::{StepDerivatives, System};
-use crate::term::Term;
+use crate::term::{Jet, Term};
 use pairtrawl_model::Side;
 
 /// Dual regularization of the equalities.
 pub(crate) const DUAL_REGULARIZATION: f64 = 1e-9;
+
+/// Which second derivatives the matrix gets.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(crate) enum Curvature {
+    /// Those that are convex: every step goes downhill, from wherever.
+    Convex,
+    /// Those of the Lagrangian: near an optimum Newton's steps then converge quadratically.
+    Exact,
+}
+
+impl Curvature {
+    /// A cost with its second derivatives.
+    #[inline]
+    fn of<const K: usize>(self, cost: &dyn Term<K>, z: &[f64; K]) -> Jet<K> {
+        match self {
+            Self::Convex => cost.convex_jet(z),
+            Self::Exact => cost.jet(z),
+        }
+    }
+}
 
 impl System {
     /// Evaluates all derivatives at an iterate; rows remember the values and gradients of their constraints.
@@ -28,16 +48,16 @@ impl System {
         x: &Iterate,
         set: &mut ActiveSet,
         lambda: &[f64],
-        mu: f64,
+        (mu, curvature): (f64, Curvature),
     ) {
         self.reset(x.stages.len());
-        self.add_steps(problem, set, lambda, mu);
-        self.add_pairs(problem, x, set, mu);
+        self.add_steps(problem, set, lambda, (mu, curvature));
+        self.add_pairs(problem, x, set, (mu, curvature));
         self.add_bends(problem, x);
-        self.add_points(problem, x, set, mu);
+        self.add_points(problem, x, set, (mu, curvature));
         let at = (x, set.frames.as_slice());
-        self.add_rows_alone(&mut set.bodies, problem, at, mu);
-        self.add_rows_alone(&mut set.lines, problem, at, mu);
+        self.add_rows_alone(&mut set.bodies, problem, at, (mu, curvature));
+        self.add_rows_alone(&mut set.lines, problem, at, (mu, curvature));
         if let Some(robot) = problem.frozen {
             self.freeze(robot);
         }
@@ -49,18 +69,24 @@ impl System {
         block: &mut Block<R, K>,
         problem: &Problem,
         (x, frames): (&Iterate, &[Step]),
-        mu: f64,
+        (mu, curvature): (f64, Curvature),
     ) {
         let mut rows = block.remaining();
         while let Some(at) = rows.anchor() {
             let (z, mut local) = (at.coordinates(x, frames), Local::new());
-            rows.add_to(&mut local, problem, (at, &z), mu);
+            rows.add_to(&mut local, problem, (at, &z), mu, curvature);
             at.scatter(&local, frames, self);
         }
     }
 
     /// The rows of steps with the equalities and the cost of distance: together they decide how a step's frame bends.
-    fn add_steps(&mut self, problem: &Problem, set: &mut ActiveSet, lambda: &[f64], mu: f64) {
+    fn add_steps(
+        &mut self,
+        problem: &Problem,
+        set: &mut ActiveSet,
+        lambda: &[f64],
+        (mu, curvature): (f64, Curvature),
+    ) {
         let (frames, dual) = (&set.frames, 1.0 / DUAL_REGULARIZATION);
         let distance = Distance::of(&problem.planner);
         let mut rows = set.steps.remaining();
@@ -73,20 +99,31 @@ impl System {
             for coordinate in Coordinate::BOTH {
                 let (at, z) = (StepAt::of(index, coordinate), [step.coordinate(coordinate)]);
                 let mut local = Local::new();
-                rows.add_to(&mut local, problem, (at, &z), mu);
+                rows.add_to(&mut local, problem, (at, &z), mu, curvature);
                 d.add(coordinate, &local);
             }
-            d.bend(step, force);
+            match curvature {
+                Curvature::Convex => d.bend(step, force),
+                Curvature::Exact => d.bend_exactly(step, force),
+            }
             self.scatter_step(index / 2, Side::BOTH[index % 2], step, &d);
         }
     }
 
-    fn add_pairs(&mut self, problem: &Problem, x: &Iterate, set: &mut ActiveSet, mu: f64) {
+    fn add_pairs(
+        &mut self,
+        problem: &Problem,
+        x: &Iterate,
+        set: &mut ActiveSet,
+        (mu, curvature): (f64, Curvature),
+    ) {
         let mut rows = set.pairs.remaining();
         for i in 0..x.stages.len() {
             let (at, z, mut local) = (PairAt(i as u32), x.pair(i), Local::new());
-            costs::of_pair(problem, i, &mut |cost| local.add_cost(&cost.convex_jet(&z)));
-            rows.add_to(&mut local, problem, (at, &z), mu);
+            costs::of_pair(problem, i, &mut |cost| {
+                local.add_cost(&curvature.of(cost, &z))
+            });
+            rows.add_to(&mut local, problem, (at, &z), mu, curvature);
             at.scatter(&local, &set.frames, self);
         }
     }
@@ -103,7 +140,13 @@ impl System {
         }
     }
 
-    fn add_points(&mut self, problem: &Problem, x: &Iterate, set: &mut ActiveSet, mu: f64) {
+    fn add_points(
+        &mut self,
+        problem: &Problem,
+        x: &Iterate,
+        set: &mut ActiveSet,
+        (mu, curvature): (f64, Curvature),
+    ) {
         let mut rows = set.points.remaining();
         for stage in 0..x.stages.len() {
             for robot in Side::BOTH {
@@ -111,9 +154,9 @@ impl System {
                 let (z, mut local, mut any) = (x.point(stage, robot), Local::new(), false);
                 costs::of_point(problem, (stage, robot), &mut |cost| {
                     any = true;
-                    local.add_cost(&cost.convex_jet(&z));
+                    local.add_cost(&curvature.of(cost, &z));
                 });
-                let count = rows.add_to(&mut local, problem, (at, &z), mu);
+                let count = rows.add_to(&mut local, problem, (at, &z), mu, curvature);
                 if any || count > 0 {
                     at.scatter(&local, &set.frames, self);
                 }

@@ -1,6 +1,7 @@
 //! All rows of one anchor: the interior point treats them alike, whatever they say.
 
 use crate::anchor::Anchor;
+use crate::assembly::Curvature;
 use crate::iterate::Iterate;
 use crate::local::Local;
 use crate::look_up::Beginning;
@@ -155,7 +156,8 @@ impl<R: Rules<K>, const K: usize> Remaining<'_, R, K> {
         self.0.first().map(|item| item.at)
     }
 
-    /// Adds the next rows as far as they have this anchor, whose coordinates are `z`; how many there are.
+    /// Adds the next rows as far as they have this anchor, whose coordinates are `z`, at barrier parameter `mu`; how many
+    /// there are.
     #[inline(always)]
     pub fn add_to(
         &mut self,
@@ -163,6 +165,7 @@ impl<R: Rules<K>, const K: usize> Remaining<'_, R, K> {
         problem: &Problem,
         (at, z): (R::At, &[f64; K]),
         mu: f64,
+        curvature: Curvature,
     ) -> usize {
         let mut items = std::mem::take(&mut self.0).iter_mut();
         let mut count = 0;
@@ -172,6 +175,9 @@ impl<R: Rules<K>, const K: usize> Remaining<'_, R, K> {
         {
             item.evaluate(problem, z);
             local.add_row(&mut item.row, &item.gradient, mu);
+            if curvature == Curvature::Exact && !R::At::AFFINE {
+                local.add_bend(&item.rule.jet(problem, at, z), item.row.z);
+            }
             count += 1;
         }
         self.0 = items.into_slice();

@@ -3,6 +3,7 @@
 
 use crate::iterate::{Iterate, STAGE};
 use crate::look_up::Beginning;
+use crate::polish::{self, Polish};
 use crate::problem::Problem;
 use crate::settings::Settings;
 use crate::shortfalls::shortfalls;
@@ -43,6 +44,7 @@ pub(crate) fn solve(
     let mut stall = Stall::new(state);
     let free_length = problem.net_length.is_none();
     let mut settling = 0;
+    let mut polish = Polish::new(settings);
     work.filter.clear();
     loop {
         if moved(&looked_up, &state.x) > REFRESH_DISTANCE {
@@ -57,39 +59,60 @@ pub(crate) fn solve(
         }
         let optimal = optimal(state, settings);
         let converged = optimal && state.residuals.primal <= settings.feasibility_tolerance;
-        if !converged
+        if polish.is_on() {
+            polish.lower_barrier(state, work);
+        } else if !converged
             && barrier_solved(state)
             && state.residuals.gap > 0.5 * settings.relative_gap * state.merit.cost.abs()
         {
             state.mu *= settings.barrier_decrease;
             work.filter.clear();
         }
+        let how = (state.mu, polish.curvature());
         work.system
-            .assemble(problem, &state.x, &mut state.set, &state.lambda, state.mu);
+            .assemble(problem, &state.x, &mut state.set, &state.lambda, how);
         state.residuals.dual = stationarity(&work.system, free_length);
         if converged
             && (state.residuals.primal <= settings.settled_tolerance || settling == MOST_SETTLING)
         {
-            return SolverStatus::Converged;
+            if polish.is_over(state) {
+                return SolverStatus::Converged;
+            }
+            if !polish.is_on() {
+                polish.begin(state);
+                // Assembled again, with other second derivatives.
+                work.filter.clear();
+                continue;
+            }
         }
-        if optimal {
+        if polish.is_on() {
+            shift = polish::shift(state);
+        } else if optimal {
             // What is left is slip; small steps remove it without wandering along directions that cost nothing.
             shift = (POLISHING_INCREASE * shift).clamp(POLISHING_SHIFT, GREATEST_POLISHING_SHIFT);
         }
-        if stall.goes_on(problem, state) {
+        if polish.is_spent() {
+            return polish.give_up(state);
+        }
+        if !polish.is_on() && stall.goes_on(problem, state) {
             return SolverStatus::LocallyInfeasible;
         }
-        if !converged && state.iterations >= settings.max_iterations {
+        if !polish.is_on() && !converged && state.iterations >= settings.max_iterations {
             return SolverStatus::IterationLimit;
         }
         if !go_on(state) {
             return SolverStatus::TimeLimit;
         }
         let Some(longest) = work.direction(problem, state, shift) else {
+            if polish.is_on() {
+                return polish.give_up(state);
+            }
             return SolverStatus::NumericalTrouble;
         };
         work.line_search(problem, state, longest);
-        if converged {
+        if polish.is_on() {
+            polish.step(state);
+        } else if converged {
             settling += 1;
         } else {
             state.iterations += 1;

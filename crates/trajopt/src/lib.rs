@@ -40,6 +40,7 @@ mod newton;
 mod optimize;
 mod own;
 mod pieces;
+mod polish;
 mod problem;
 mod reinforce;
 mod row;

@@ -57,10 +57,19 @@ impl<const K: usize> Local<K> {
         }
     }
 
+    /// Adds the curvature that a constraint with multiplier `z` has in the Lagrangian.
+    pub fn add_bend(&mut self, jet: &Jet<K>, z: f64) {
+        for (row, bend) in self.hessian.iter_mut().zip(&jet.hessian) {
+            for (h, b) in row.iter_mut().zip(bend) {
+                *h -= z * b;
+            }
+        }
+    }
+
     /// Adds a row whose constraint has this gradient.
     ///
-    /// Constraints lend no curvature of their own: what they have is mostly negative (distances from convex things are to
-    /// be large), and small against that of the taut paths.
+    /// Constraints lend no curvature of their own far from an optimum: what they have is mostly negative (distances from
+    /// convex things are to be large), and small against that of the taut paths. See [`Self::add_bend`].
     #[inline]
     pub fn add_row(&mut self, row: &mut Row, gradient: &[f64; K], mu: f64) {
         let condensed = row.condense(mu);

@@ -73,8 +73,9 @@ pub struct Residuals {
 }
 
 impl Residuals {
-    /// The largest of the dual, the primal and the complementarity residual.
-    pub fn largest(&self) -> f64 {
-        self.dual.max(self.primal).max(self.complementarity)
+    /// The relative optimality residual at an objective of value `cost`: the largest of the dual residual, of the primal one
+    /// (m or rad, in units of the length scale), and of the gap as a share of the cost.
+    pub fn relative(&self, cost: f64) -> f64 {
+        (self.dual.max(self.primal)).max(self.gap / cost.abs().max(1.0))
     }
 }

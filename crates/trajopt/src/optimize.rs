@@ -27,6 +27,8 @@ pub struct Solution {
     pub iterations: usize,
     /// Scaled optimality residuals.
     pub residuals: Residuals,
+    /// The largest of them, relative to the cost: see [`Residuals::relative`].
+    pub residual: f64,
     /// Constraints that could not be met, worst first.
     pub violations: Vec<Violation>,
     /// Constraints of the user's that could not be met, worst first.
@@ -108,6 +110,7 @@ pub fn optimize_from(
         status,
         iterations: state.iterations,
         residuals: state.residuals,
+        residual: state.relative_residual(),
         violations: short.violations,
         unmet: short.unmet,
         shrunk_margins: short.margins,

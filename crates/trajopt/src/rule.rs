@@ -3,7 +3,7 @@
 use crate::anchor::Anchor;
 use crate::problem::Problem;
 use crate::sight::Sight;
-use crate::term::Term;
+use crate::term::{Jet, Term};
 use pairtrawl_model::ClaimId;
 use std::fmt::Debug;
 
@@ -84,6 +84,7 @@ pub(crate) trait Rules<const K: usize>: Copy + Debug {
     fn look_up(sight: &mut Sight, at: Self::At, add: &mut impl FnMut(Self));
     fn value(self, problem: &Problem, at: Self::At, z: &[f64; K]) -> f64;
     fn slope(self, problem: &Problem, at: Self::At, z: &[f64; K]) -> (f64, [f64; K]);
+    fn jet(self, problem: &Problem, at: Self::At, z: &[f64; K]) -> Jet<K>;
     fn price(self, problem: &Problem, elastic: f64) -> f64;
     fn stake(self, problem: &Problem) -> Option<Stake<'_>>;
     /// Ascends within an anchor: place of the rule in the list, then its own key.
@@ -112,6 +113,10 @@ macro_rules! rules {
             #[inline(always)]
             fn slope(self, problem: &$crate::problem::Problem, at: $anchor, z: &[f64; $k]) -> (f64, [f64; $k]) {
                 match self { $( Self::$rule(rule) => $crate::term::Term::slope(&$crate::rule::Rule::term(rule, problem, at), z), )+ }
+            }
+
+            fn jet(self, problem: &$crate::problem::Problem, at: $anchor, z: &[f64; $k]) -> $crate::term::Jet<{ $k }> {
+                match self { $( Self::$rule(rule) => $crate::term::Term::jet(&$crate::rule::Rule::term(rule, problem, at), z), )+ }
             }
 
             fn price(self, problem: &$crate::problem::Problem, elastic: f64) -> f64 {

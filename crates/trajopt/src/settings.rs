@@ -18,6 +18,11 @@ pub struct Settings {
     /// Greatest residual after a solved problem has taken a last step or two, which do not count as iterations: see
     /// [`Settings::settled`].
     pub settled_tolerance: f64,
+    /// Relative optimality residual ([`Residuals::relative`]) down to which a solved problem is polished, in iterations that
+    /// count; where that takes too many, the solved problem is returned as it was. Infinite: not at all.
+    ///
+    /// [`Residuals::relative`]: crate::Residuals::relative
+    pub tolerance: f64,
     /// Cost of a meter (or radian) of violation of an elastic constraint.
     pub elastic_weight: f64,
 }
@@ -33,6 +38,7 @@ impl Default for Settings {
             relative_decrease: 1e-5,
             feasibility_tolerance: 1e-6,
             settled_tolerance: 1e-6,
+            tolerance: f64::INFINITY,
             elastic_weight: 3e3,
         }
     }

@@ -47,6 +47,11 @@ impl State {
         state
     }
 
+    /// The relative optimality residual.
+    pub fn relative_residual(&self) -> f64 {
+        self.residuals.relative(self.merit.cost)
+    }
+
     /// Merit and residuals of the point, but for the dual one.
     pub fn measure(&mut self, problem: &Problem) {
         (self.merit, self.residuals) = self.set.measure(problem, &self.x, self.mu);

@@ -45,6 +45,8 @@ pub(crate) struct StepDerivatives {
     /// Curvature of the frame: of a taut string, and of the lateral force against `along`.
     taut: f64,
     lateral: f64,
+    /// That of `along` against the way across.
+    cross: f64,
 }
 
 impl StepDerivatives {
@@ -78,6 +80,17 @@ impl StepDerivatives {
         self.taut = (tension * step.along).max(0.0);
         let most = 0.9 * (self.diagonal[0] * self.taut).sqrt();
         self.lateral = -lambda.max(-most).min(most);
+    }
+}
+
+impl StepDerivatives {
+    /// Curvature of the Lagrangian `tension * u + lambda * v` over a step: with the way `w = cos ddy - sin ddx` across and
+    /// `a = cos ddx + sin ddy` along, `2 tension w dpsi - tension u dpsi^2 - 2 lambda a dpsi - lambda v dpsi^2`.
+    pub fn bend_exactly(&mut self, step: &Step, lambda: f64) {
+        let tension = self.gradients[1][0];
+        self.taut = -(tension * step.along + lambda * step.across);
+        self.lateral = -lambda;
+        self.cross = tension;
     }
 }
 
@@ -164,8 +177,8 @@ impl System {
         let xx = c * c * huu + s * s * hvv;
         let xy = c * s * (huu - hvv);
         let yy = s * s * huu + c * c * hvv;
-        let xp = c * (v * huu + d.lateral) + s * u * hvv;
-        let yp = s * (v * huu + d.lateral) - c * u * hvv;
+        let xp = c * (v * huu + d.lateral) + s * u * hvv - s * d.cross;
+        let yp = s * (v * huu + d.lateral) - c * u * hvv + c * d.cross;
         let pp = v * v * huu + u * u * hvv + d.taut;
         let first = self.base(i).map(|b| b + 3 * robot.index());
         let second = self.base(i + 1).map(|b| b + 3 * robot.index());

@@ -36,6 +36,14 @@ pub fn parse_seconds(text: &str) -> Result<f64, String> {
     }
 }
 
+/// A relative residual to which a plan is polished.
+pub fn parse_tolerance(text: &str) -> Result<f64, String> {
+    match text.parse::<f64>() {
+        Ok(tolerance) if (1e-9..=1e-3).contains(&tolerance) => Ok(tolerance),
+        _ => Err("give a relative residual from 1e-9 to 1e-3, such as 1e-6".to_owned()),
+    }
+}
+
 /// A number above 0.
 pub fn parse_positive(text: &str) -> Result<f64, String> {
     match text.parse::<f64>() {
@@ -79,7 +87,7 @@ pub fn parse_range(text: &str) -> Result<[f64; 2], String> {
 
 #[cfg(test)]
 mod tests {
-    use super::{parse_net_length, parse_range, parse_seconds, parse_size};
+    use super::{parse_net_length, parse_range, parse_seconds, parse_size, parse_tolerance};
 
     #[test]
     fn net_lengths_are_positive_finite_numbers_or_auto() {
@@ -90,6 +98,14 @@ mod tests {
         );
         for bad in ["", "0", "-1", "nan", "inf", "1e9", "2m", "Auto "] {
             assert!(parse_net_length(bad).is_err(), "{bad:?} was taken");
+        }
+    }
+
+    #[test]
+    fn tolerances_are_small_and_within_reach() {
+        assert_eq!(parse_tolerance("1e-6"), Ok(1e-6));
+        for bad in ["", "0", "-1e-6", "nan", "1e-10", "0.01"] {
+            assert!(parse_tolerance(bad).is_err(), "{bad:?} was taken");
         }
     }
 

@@ -2,6 +2,7 @@
 
 use super::case::{Case, shaken};
 use crate::anchor::Anchor;
+use crate::assembly::Curvature;
 use crate::constraints::body_distance::{BodyOffObject, BodyOffObstacle};
 use crate::constraints::{BodyRules, PairRules};
 use crate::iterate::{Iterate, STAGE};
@@ -93,7 +94,13 @@ fn of_bodies(case: &Case, state: &State, x: &Iterate) -> f64 {
 fn gradient(case: &Case, state: &mut State) -> Vec<f64> {
     let mut system = System::default();
     let lambda = state.lambda.clone();
-    system.assemble(&case.problem, &state.x, &mut state.set, &lambda, 1e-2);
+    system.assemble(
+        &case.problem,
+        &state.x,
+        &mut state.set,
+        &lambda,
+        (1e-2, Curvature::Convex),
+    );
     system.lagrangian
 }
 

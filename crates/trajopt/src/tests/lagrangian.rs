@@ -2,6 +2,7 @@
 
 use super::case::{Case, shaken};
 use crate::anchor::Anchor;
+use crate::assembly::Curvature;
 use crate::constraints::half_plane::Border;
 use crate::constraints::point_distance::{OffObject, OffObstacle};
 use crate::constraints::quad_distance::QuadDistance;
@@ -295,7 +296,13 @@ fn assembled_gradients_are_those_of_the_lagrangian() {
         let mut state = shaken(&case, seed);
         let mut system = System::default();
         let lambda = state.lambda.clone();
-        system.assemble(&case.problem, &state.x, &mut state.set, &lambda, 1e-2);
+        system.assemble(
+            &case.problem,
+            &state.x,
+            &mut state.set,
+            &lambda,
+            (1e-2, Curvature::Convex),
+        );
         for (multipliers, gradient, length) in [
             (true, &system.lagrangian, system.length.lagrangian),
             (false, &system.objective, system.length.objective),

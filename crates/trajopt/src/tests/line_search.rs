@@ -1,6 +1,7 @@
 //! Moving along a direction.
 
 use super::case::{Case, shaken};
+use crate::assembly::Curvature;
 use crate::row::Row;
 use crate::workspace::Workspace;
 
@@ -12,8 +13,13 @@ fn slacks_stay_positive_however_short_the_longest_step_is() {
         let mut state = shaken(&case, 1);
         let (lambda, mu) = (state.lambda.clone(), state.mu);
         let mut work = Workspace::default();
-        work.system
-            .assemble(&case.problem, &state.x, &mut state.set, &lambda, mu);
+        work.system.assemble(
+            &case.problem,
+            &state.x,
+            &mut state.set,
+            &lambda,
+            (mu, Curvature::Convex),
+        );
         work.direction(&case.problem, &mut state, 0.1)
             .expect("a direction");
         // A violated hard row, which takes no slack from its constraint, and which a full step would run into at once.

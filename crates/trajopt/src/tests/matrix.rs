@@ -3,7 +3,7 @@
 use super::between;
 use super::case::{Case, shaken};
 use crate::anchor::{Anchor, LineAt};
-use crate::assembly::DUAL_REGULARIZATION;
+use crate::assembly::{Curvature, DUAL_REGULARIZATION};
 use crate::block::Block;
 use crate::costs::expansion::Expansion;
 use crate::iterate::{Direction, STAGE};
@@ -42,7 +42,13 @@ fn assembled(case: &Case, seed: u64, mu: f64) -> (State, System) {
     let mut state = shaken(case, seed);
     let mut system = System::default();
     let lambda = state.lambda.clone();
-    system.assemble(&case.problem, &state.x, &mut state.set, &lambda, mu);
+    system.assemble(
+        &case.problem,
+        &state.x,
+        &mut state.set,
+        &lambda,
+        (mu, Curvature::Convex),
+    );
     (state, system)
 }
 

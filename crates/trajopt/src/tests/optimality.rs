@@ -80,6 +80,61 @@ fn residuals_are_what_the_solver_says() {
     }
 }
 
+/// The greatest of dual residual, violation, and gap as a share of the cost, from the formulas alone.
+fn relative_residual(case: &Case, state: &State) -> f64 {
+    let mut gap = 0.0;
+    let mut greatest = stationarity(case, state);
+    for [c, s, e, z, weight] in Lagrangian::rows(case, state) {
+        assert!(s > 0.0 && z > 0.0 && e >= 0.0 && z < weight);
+        greatest = greatest.max((c - s + e).abs());
+        gap += s * z;
+        if weight.is_finite() {
+            gap += e * (weight - z);
+        }
+    }
+    greatest.max(gap / state.merit.cost)
+}
+
+#[test]
+fn polishing_leaves_the_residual_that_was_asked_for() {
+    for (difficulty, seed, free) in [(1, 1, true), (4, 2, false), (7, 4, true), (9, 3, true)] {
+        let case = Case::new(difficulty, seed, 100, free);
+        let (solved, _) = run(&case, &Settings::default());
+        let settings = Settings {
+            tolerance: 1e-6,
+            ..Settings::default()
+        };
+        let (polished, status) = run(&case, &settings);
+        let at = format!("difficulty {difficulty}, seed {seed}");
+        assert_eq!(status, SolverStatus::Converged, "{at}");
+        let (before, after) = (
+            relative_residual(&case, &solved),
+            relative_residual(&case, &polished),
+        );
+        // A little more for rounding in the differences that the gradient is found by.
+        assert!(before > 5e-5 && after < 4e-6, "{before} to {after}, {at}");
+        assert!(polished.relative_residual() <= 1e-6, "{at}");
+        let (more, less) = (solved.merit.cost, polished.merit.cost);
+        assert!(less < more * (1.0 + 1e-6), "J {more} to {less}, {at}");
+        let most = solved.iterations + 150;
+        assert!(polished.iterations <= most, "{at}");
+    }
+}
+
+#[test]
+fn a_residual_out_of_reach_leaves_the_solved_problem() {
+    let case = Case::new(4, 2, 60, false);
+    let settings = Settings {
+        tolerance: 1e-18,
+        ..Settings::default()
+    };
+    let ((solved, _), (polished, status)) =
+        (run(&case, &Settings::default()), run(&case, &settings));
+    assert_eq!(status, SolverStatus::Converged);
+    assert_eq!(polished.x.stages, solved.x.stages);
+    assert_eq!(polished.relative_residual(), solved.relative_residual());
+}
+
 #[test]
 fn tight_tolerances_lead_to_a_stationary_point() {
     let settings = Settings {

@@ -1,6 +1,7 @@
 //! The direction found again in a part of the course, all else staying as it is.
 
 use super::case::{Case, shaken};
+use crate::assembly::Curvature;
 use crate::iterate::STAGE;
 use crate::state::State;
 use crate::workspace::Workspace;
@@ -31,8 +32,13 @@ fn a_part_is_solved_with_the_rest_in_its_place() {
         let mut work = Workspace::default();
         let (problem, mu) = (&case.problem, state.mu);
         let lambda = state.lambda.clone();
-        work.system
-            .assemble(problem, &state.x, &mut state.set, &lambda, mu);
+        work.system.assemble(
+            problem,
+            &state.x,
+            &mut state.set,
+            &lambda,
+            (mu, Curvature::Convex),
+        );
         assert!(work.newton.solve(&work.system, free, SHIFT));
         let whole = work.newton.clone();
         let scale = work
@@ -63,8 +69,13 @@ fn rows_of_a_part_follow_the_direction_as_all_rows_do() {
     let mut state = shaken(&case, 3);
     let mut work = Workspace::default();
     let lambda = state.lambda.clone();
-    work.system
-        .assemble(&case.problem, &state.x, &mut state.set, &lambda, state.mu);
+    work.system.assemble(
+        &case.problem,
+        &state.x,
+        &mut state.set,
+        &lambda,
+        (state.mu, Curvature::Convex),
+    );
     assert!(work.newton.solve(&work.system, true, SHIFT));
     work.newton.recover(&mut state, None);
     // The direction changes in stages 30 to 49 alone, and with it the rows of these and of the step to them.

@@ -4,6 +4,7 @@ use super::between;
 use super::case::{Case, shaken};
 use super::matrix::{bend, sigma, times};
 use crate::active::ActiveSet;
+use crate::assembly::Curvature;
 use crate::block::Block;
 use crate::constraints::PointRules;
 use crate::iterate::STAGE;
@@ -45,7 +46,13 @@ fn unprepared(case: &Case, seed: u64) -> State {
 fn assembled(case: &Case, state: &State, lambda: &[f64]) -> System {
     let mut system = System::default();
     let mut set = state.set.clone();
-    system.assemble(&case.problem, &state.x, &mut set, lambda, state.mu);
+    system.assemble(
+        &case.problem,
+        &state.x,
+        &mut set,
+        lambda,
+        (state.mu, Curvature::Convex),
+    );
     system
 }
 
@@ -135,7 +142,7 @@ fn the_reinforced_system_is_that_of_the_raised_multipliers() {
             &state.x,
             &mut state.set,
             &before.lambda,
-            state.mu,
+            (state.mu, Curvature::Convex),
         );
         let plain = work.system.clone();
         work.direction(&case.problem, &mut state, SHIFT)
@@ -218,8 +225,13 @@ fn the_direction_is_that_of_the_reinforced_system() {
         let mut state = unprepared(&case, 2);
         let lambda = state.lambda.clone();
         let mut work = Workspace::default();
-        work.system
-            .assemble(&case.problem, &state.x, &mut state.set, &lambda, MU);
+        work.system.assemble(
+            &case.problem,
+            &state.x,
+            &mut state.set,
+            &lambda,
+            (MU, Curvature::Convex),
+        );
         let longest = work
             .direction(&case.problem, &mut state, SHIFT)
             .expect("a direction");
@@ -261,8 +273,13 @@ fn a_frozen_robot_does_not_move_however_rows_are_reinforced() {
         let mut state = unprepared(&case, 2);
         let (before, lambda) = (state.set.clone(), state.lambda.clone());
         let mut work = Workspace::default();
-        work.system
-            .assemble(&case.problem, &state.x, &mut state.set, &lambda, MU);
+        work.system.assemble(
+            &case.problem,
+            &state.x,
+            &mut state.set,
+            &lambda,
+            (MU, Curvature::Convex),
+        );
         work.direction(&case.problem, &mut state, SHIFT)
             .expect("a direction");
         assert!(!stiffened(&before, &state.set).is_empty());
