@@ -1,4 +1,5 @@
-//! Solves generated scenes from their own witness and prints the trace: `trace DIFFICULTY SEED N [auto]`.
+//! Solves generated scenes from their own witness and prints the trace: `trace DIFFICULTY SEED N [auto]
+//! [serpentine] [tol=1e-6]`: net length free, a serpentine hall, polished to a residual.
 
 use pairtrawl_generate::{Kind, generate};
 use pairtrawl_trajopt::{Problem, Settings, evaluate, optimize_watched};
@@ -32,9 +33,8 @@ fn main() {
     let world = World::new(scene, net_length).expect("a world");
     let problem = Problem::new(scene, net_length, &world.pieces);
     let mut settings = Settings::default();
-    if let Some(e) = args.iter().find_map(|a| a.strip_prefix("tol=")) {
-        let t: f64 = e.parse().unwrap();
-        settings.tolerance = t;
+    if let Some(tolerance) = args.iter().find_map(|a| a.strip_prefix("tol=")) {
+        settings.tolerance = tolerance.parse().expect("a number after tol=");
     }
     let clock = processor_seconds();
     let solution = optimize_watched(
