@@ -2,7 +2,8 @@
 
 mod program;
 
-use pairtrawl_reproduction::verdict::{Evidence, judge};
+use pairtrawl_reproduction::evidence::Evidence;
+use pairtrawl_reproduction::verdict::judge;
 use program::{files_below, json, run, stderr, stdout, text};
 use serde_json::Value;
 

@@ -1,4 +1,4 @@
-use crate::{ExpansionPer, Leave, Robot, RobotSize};
+use crate::{ExpansionPer, Leave};
 use std::f64::consts::FRAC_2_PI;
 
 /// The planner's parameters (`[planner]` of a scene). Defaults are the paper's where it gives one.
@@ -102,20 +102,6 @@ impl Default for PlannerParameters {
             a4: 1.0,
             expansion_per: ExpansionPer::Waypoint,
             leave: Leave::None,
-        }
-    }
-}
-
-impl PlannerParameters {
-    /// Weight of the expansion cost of one waypoint: a4, per meter in proportion to `max_step`, as much as in the paper's setup
-    /// where that is 0.05 m (for machines of the paper's size).
-    pub fn expansion_weight(&self, robot: &Robot) -> f64 {
-        match self.expansion_per {
-            ExpansionPer::Waypoint => self.a4,
-            ExpansionPer::Meter => {
-                let paper = RobotSize::of(robot).length(Self::default().max_step);
-                self.a4 * self.max_step / paper
-            }
         }
     }
 }

@@ -1,5 +1,5 @@
 use crate::scales::PAPER_RADIUS;
-use crate::{PhysicsParameters, PlannerParameters, Robot, Units};
+use crate::{ExpansionPer, PhysicsParameters, PlannerParameters, Robot, Units};
 use std::f64::consts::SQRT_2;
 
 /// Cruise speed over the greatest speed of a wheel, unless a scene gives it: 0.22 m/s of 0.26 m/s.
@@ -56,6 +56,18 @@ impl RobotSize {
         PlannerParameters {
             cruise: CRUISE * (robot.v_max / Robot::default().v_max),
             ..self.units().planner(&PlannerParameters::default())
+        }
+    }
+
+    /// Weight of the expansion cost of one waypoint: a4, per meter in proportion to `max_step`, as much as in the paper's setup
+    /// where that is 0.05 m (for machines of the paper's size).
+    pub fn expansion_weight(self, planner: &PlannerParameters) -> f64 {
+        match planner.expansion_per {
+            ExpansionPer::Waypoint => planner.a4,
+            ExpansionPer::Meter => {
+                let paper = self.length(PlannerParameters::default().max_step);
+                planner.a4 * planner.max_step / paper
+            }
         }
     }
 

@@ -55,10 +55,8 @@ pub enum Block {
     Heading(String),
     /// A table.
     Table(Table),
-    /// Charts beside each other.
-    Charts(Vec<Chart>),
-    /// Pictures of the floor beside each other.
-    Pictures(Vec<Picture>),
+    /// Pictures of the floor and charts beside each other.
+    Figures(Vec<Chart>, Vec<Picture>),
     /// What follows from the numbers of the section.
     Findings(Vec<Finding>),
 }

@@ -56,12 +56,17 @@ impl Content {
 
     /// Adds charts beside each other.
     pub fn charts(&mut self, charts: Vec<Chart>) {
-        self.blocks.push(Block::Charts(charts));
+        self.figures(charts, Vec::new());
+    }
+
+    /// Adds charts and pictures beside each other.
+    pub fn figures(&mut self, charts: Vec<Chart>, pictures: Vec<Picture>) {
+        self.blocks.push(Block::Figures(charts, pictures));
     }
 
     /// Adds pictures beside each other.
     pub fn pictures(&mut self, pictures: Vec<Picture>) {
-        self.blocks.push(Block::Pictures(pictures));
+        self.figures(Vec::new(), pictures);
     }
 
     /// Adds a verdict.

@@ -3,10 +3,11 @@
 use crate::chapter::Content;
 use crate::drawing::{driven, points, track, whole};
 use crate::drives::{drive, errors};
+use crate::evidence::Evidence;
 use crate::lab::{Lab, Stopped};
 use crate::planning::plan_scene;
 use crate::scenes;
-use crate::verdict::{Evidence, Verdict};
+use crate::verdict::Verdict;
 use pairtrawl::execute::ExecutionOptions;
 use pairtrawl::geometry::Point;
 use pairtrawl::model::numbers::{cost, lengths};
@@ -46,11 +47,13 @@ pub(crate) fn chapter(lab: &Lab) -> Result<Content, Stopped> {
     lab.host.doing("five executions of the experiment");
     let (scene, plan, trials) = executions(lab)?;
     content.text("Five executions by the adaptive law on the experiment's plan (net 1.45 m). Masses of the objects are drawn from 15 to 50 g, poses have a noise of 1 cm and 1 degree as of a lidar localization and are up to 60 ms late, and wheel odometry is off by up to 1 %.");
-    content.pictures(vec![paths(&scene, &plan, &trials)]);
-    content.charts(vec![
-        error_chart(&trials, 0, "left"),
-        error_chart(&trials, 1, "right"),
-    ]);
+    content.figures(
+        vec![
+            error_chart(&trials, 0, "left"),
+            error_chart(&trials, 1, "right"),
+        ],
+        vec![paths(&scene, &plan, &trials)],
+    );
     let mut table = Table::new(
         "Errors of the worse robot after the first second",
         &[

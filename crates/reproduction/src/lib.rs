@@ -13,10 +13,15 @@ pub mod chapter;
 pub mod claims;
 mod drawing;
 pub mod drives;
+pub mod evidence;
 pub mod executions;
+pub mod judged;
 mod lab;
+pub mod neighbors;
 pub mod net_length;
+pub mod pair_search;
 pub mod planning;
+pub mod published;
 pub mod scenes;
 pub mod selection;
 pub mod separation;
@@ -62,6 +67,16 @@ pub const CHAPTERS: &[Chapter] = &[
         id: "tracking",
         title: "Adaptive control, fairly",
         make: tracking::chapter,
+    },
+    Chapter {
+        id: "published",
+        title: "The authors' published trajectories",
+        make: published::chapter,
+    },
+    Chapter {
+        id: "neighbors",
+        title: "Neighbors: what other methods give up",
+        make: neighbors::chapter,
     },
     Chapter {
         id: "setup",

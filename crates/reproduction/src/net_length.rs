@@ -3,10 +3,11 @@
 use crate::chapter::Content;
 use crate::drawing::{driven, points, track, whole};
 use crate::drives::{UNLIMITED, drive, errors, first_collision, in_the_net, lost_at};
+use crate::evidence::Evidence;
 use crate::lab::{Lab, Stopped};
 use crate::planning::plan_scene;
 use crate::scenes;
-use crate::verdict::{Evidence, Verdict};
+use crate::verdict::Verdict;
 use pairtrawl::execute::ExecutionOptions;
 use pairtrawl::model::numbers::{cost, length, lengths};
 use pairtrawl::model::{ControllerKind, Cost, LengthCurve, Plan, Scene, Trial};

@@ -2,10 +2,11 @@
 
 use crate::chapter::{Content, Timing};
 use crate::drawing::{points, whole};
+use crate::evidence::Evidence;
 use crate::lab::{Lab, Stopped};
 use crate::scenes;
 use crate::selection::{Case, Selection, selections};
-use crate::verdict::{Evidence, Verdict};
+use crate::verdict::Verdict;
 use pairtrawl::files::LoadedScene;
 use pairtrawl::geometry::Point;
 use pairtrawl::model::numbers::{cost, duration, length};

@@ -2,10 +2,11 @@
 
 use crate::chapter::Content;
 use crate::drawing::{points, track, whole};
+use crate::evidence::Evidence;
 use crate::lab::{Lab, Stopped};
 use crate::scenes;
 use crate::solving::{Rule, Solved, Start};
-use crate::verdict::{Evidence, Verdict};
+use crate::verdict::Verdict;
 use pairtrawl::model::Scene;
 use pairtrawl::model::numbers::{cost, length};
 use pairtrawl::report::study::{Axis, Chart, Curve, Line, Mark, Note, Pen, Picture, Table};
@@ -73,8 +74,7 @@ pub(crate) fn chapter(lab: &Lab) -> Result<Content, Stopped> {
             .unwrap_or(0);
         let found = compare(&loaded.scene, &lengths, shown)?;
         content.heading(&loaded.scene.name);
-        content.charts(vec![chart(&found)]);
-        content.pictures(vec![picture(&found)]);
+        content.figures(vec![chart(&found)], vec![picture(&found)]);
         content.table(stops(&found));
         let refused = |all: &[Solved]| all.iter().filter(|s| s.refused.is_some()).count() as f64;
         gaps += refused(&found.rigid);

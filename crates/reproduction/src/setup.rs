@@ -1,8 +1,9 @@
 //! The paper's parameters beside the defaults of the code, generated from these.
 
 use crate::chapter::Content;
+use crate::evidence::Evidence;
 use crate::lab::{Lab, Stopped};
-use crate::verdict::{Evidence, Verdict};
+use crate::verdict::Verdict;
 use pairtrawl::execute::{Sensing, TORQUE_PERIOD, TRACKER_TICKS};
 use pairtrawl::model::{PhysicsParameters, PlannerParameters, Robot};
 use pairtrawl::report::study::Table;

@@ -3,11 +3,12 @@
 
 use crate::chapter::Content;
 use crate::drives::{UNLIMITED, drive, errors, first_collision, in_the_net, lost_at};
+use crate::evidence::Evidence;
 use crate::lab::{Lab, Stopped};
 use crate::net_length::lifted;
 use crate::planning::plan_scene;
 use crate::scenes;
-use crate::verdict::{Evidence, Verdict};
+use crate::verdict::Verdict;
 use pairtrawl::execute::{AdaptedParts, ExecutionOptions, LawOptions, NominalInertia, quantile};
 use pairtrawl::model::{ControllerKind, Plan, Scene};
 use pairtrawl::report::study::{Axis, Band, Chart, Curve, Line, Table};

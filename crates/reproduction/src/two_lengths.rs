@@ -1,11 +1,12 @@
 //! The paper's two lengths of net, 2.32 m and 1.45 m, against ours: which reading of the problem gives which.
 
 use crate::chapter::Content;
+use crate::evidence::Evidence;
 use crate::lab::{Lab, Stopped};
 use crate::net_length::PAPER_OPTIMUM;
 use crate::scenes;
 use crate::solving::{Rule, Start};
-use crate::verdict::{Evidence, Verdict};
+use crate::verdict::Verdict;
 use pairtrawl::geometry::Pose;
 use pairtrawl::model::{ExpansionPer, Footprint, Object, Scene};
 use pairtrawl::report::study::{Axis, Chart, Curve, Line, Mark, Table};

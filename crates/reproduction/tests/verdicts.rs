@@ -1,7 +1,8 @@
 //! A verdict follows from its evidence: a number that changes flips it, and nothing else does.
 
 use pairtrawl_reproduction::claims::CLAIMS;
-use pairtrawl_reproduction::verdict::{Evidence, judge};
+use pairtrawl_reproduction::evidence::Evidence;
+use pairtrawl_reproduction::verdict::judge;
 use std::collections::BTreeSet;
 
 /// Evidence from names and values.

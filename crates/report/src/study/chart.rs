@@ -103,7 +103,7 @@ const TOP: f64 = 14.0;
 const BOTTOM: f64 = 46.0;
 const LEFT: f64 = 66.0;
 /// Estimated width of a letter, px.
-const LETTER: f64 = 6.4;
+const LETTER: f64 = 7.3;
 /// Room above and below the data, as a share of their range.
 const ROOM: f64 = 0.07;
 

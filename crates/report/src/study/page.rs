@@ -63,17 +63,13 @@ pub fn section_html(section: &Section) -> String {
             Block::Heading(text) => w.text("h3", &[("class", &"part")], text),
             Block::Table(table) => draw_table(&mut w, table),
             Block::Findings(list) => findings(&mut w, list),
-            Block::Charts(charts) => {
-                w.open("div", &[("class", &"figures")]);
-                for one in charts {
-                    chart::draw(&mut w, one);
-                }
-                w.close();
-            }
-            Block::Pictures(pictures) => {
+            Block::Figures(charts, pictures) => {
                 w.open("div", &[("class", &"figures")]);
                 for (k, one) in pictures.iter().enumerate() {
                     picture::draw(&mut w, one, &format!("{}-{i}-{k}", section.id));
+                }
+                for one in charts {
+                    chart::draw(&mut w, one);
                 }
                 w.close();
             }

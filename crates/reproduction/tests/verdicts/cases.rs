@@ -246,4 +246,33 @@ const CASES: &[Case] = &[
             ("rms_at_a_tenth_of_the_rates", 0.01, "not shown"),
         ],
     },
+    Case {
+        claim: "published",
+        numbers: &[
+            ("objects", 8.0),
+            ("gathered_theirs", 8.0),
+            ("no_collision_theirs", 1.0),
+        ],
+        verdict: "shown",
+        planted: &[
+            ("gathered_theirs", 7.0, "not shown"),
+            ("no_collision_theirs", 0.0, "shown if"),
+        ],
+    },
+    Case {
+        claim: "neighbors",
+        numbers: &[
+            ("objects_in_three_scenes", 21.0),
+            ("gathered_by_ours", 21.0),
+            ("failing_claims_of_ours", 0.0),
+            ("gathered_by_the_search", 21.0),
+            ("failing_claims_of_the_search", 1.0),
+        ],
+        verdict: "shown if",
+        planted: &[
+            ("gathered_by_the_search", 20.0, "shown"),
+            ("failing_claims_of_the_search", 0.0, "not shown"),
+            ("failing_claims_of_ours", 1.0, "not shown"),
+        ],
+    },
 ];

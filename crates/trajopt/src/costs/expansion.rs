@@ -1,7 +1,7 @@
 use crate::problem::{Problem, SeparationRule};
 use crate::term::{Jet, PAIR, Term};
 use pairtrawl_geometry::Point;
-use pairtrawl_model::{PlannerParameters, Robot};
+use pairtrawl_model::{PlannerParameters, Robot, RobotSize};
 use std::f64::consts::FRAC_PI_2;
 
 /// Expansion cost J_e of the net at one waypoint (the paper's eq. 8): a U over the separation `d`, written in `eta = d / d_max`,
@@ -65,7 +65,7 @@ impl Expansion {
     /// As the paper has it, or per meter where the parameters say so.
     pub fn literal(p: &PlannerParameters, robot: &Robot) -> Self {
         Self {
-            weight: p.expansion_weight(robot),
+            weight: RobotSize::of(robot).expansion_weight(p),
             kd1: p.kd1,
             kd2: p.kd2,
             rest_ratio: p.rest_ratio,
