@@ -76,6 +76,8 @@ pub(crate) struct Terrain {
     bucket_columns: usize,
     bucket_rows: usize,
     buckets: Vec<Vec<u32>>,
+    /// For every object those behind it in the list that no robot passes between it and.
+    ties: Vec<Vec<u32>>,
 }
 
 impl Terrain {
@@ -126,7 +128,9 @@ impl Terrain {
         // Within a bucket's edge of a point lies every object that a robot of a pair around it could touch.
         let largest = objects.iter().map(|o| o.radius).fold(0.0, f64::max);
         let touching = largest + pair.half_separation + pair.radius + 2.0 * pair.clearance;
+        let tied = 2.0 * (largest + pair.radius);
         let bucket = touching
+            .max(tied)
             .max(BUCKET)
             .max((width * height / MAX_BUCKETS).sqrt());
         let bucket_columns = (width / bucket) as usize + 1;
@@ -144,6 +148,7 @@ impl Terrain {
             bucket_columns,
             bucket_rows,
             buckets: vec![Vec::new(); bucket_columns * bucket_rows],
+            ties: Vec::new(),
         };
         for (i, object) in terrain.objects.iter().enumerate() {
             let (column, row) = terrain.bucket(object.center);
@@ -154,7 +159,22 @@ impl Terrain {
                 }
             }
         }
+        terrain.ties = (0..terrain.objects.len())
+            .map(|i| terrain.tied_to(i))
+            .collect();
         terrain
+    }
+
+    /// Objects behind object i in the list between which and it there is no room for a robot.
+    fn tied_to(&self, i: usize) -> Vec<u32> {
+        let object = self.objects[i];
+        let leaves_no_room = |j: &u32| {
+            let other = self.objects[*j as usize];
+            let room = object.center.distance(other.center) - object.radius - other.radius;
+            *j as usize > i && room < 2.0 * self.pair.radius
+        };
+        let near = self.near(object.center).iter().copied();
+        near.filter(leaves_no_room).collect()
     }
 
     fn bucket(&self, p: Point) -> (usize, usize) {
@@ -167,10 +187,20 @@ impl Terrain {
 
     /// Objects near a point: all that a pair around it could touch, perhaps some more.
     pub fn objects_near(&self, p: Point) -> impl Iterator<Item = &Disc> {
+        self.near(p).iter().map(|&i| &self.objects[i as usize])
+    }
+
+    /// Pairs of objects near a point that leave no room for a robot between them.
+    pub fn ties_near(&self, p: Point) -> impl Iterator<Item = [Disc; 2]> {
+        self.near(p).iter().flat_map(move |&i| {
+            let tied = self.ties[i as usize].iter();
+            tied.map(move |&j| [self.objects[i as usize], self.objects[j as usize]])
+        })
+    }
+
+    fn near(&self, p: Point) -> &[u32] {
         let (column, row) = self.bucket(p);
-        self.buckets[row * self.bucket_columns + column]
-            .iter()
-            .map(|&i| &self.objects[i as usize])
+        &self.buckets[row * self.bucket_columns + column]
     }
 
     /// Distance of a robot center to the nearest obstacle or the softened border.

@@ -34,6 +34,24 @@ pub(crate) struct Visit {
     pub index: usize,
 }
 
+/// A robot drives at most this far beside the centerline at one place.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(crate) struct Limit {
+    pub side: Side,
+    /// Index of the centerline pose.
+    pub index: usize,
+    /// Greatest offset from the centerline, outwards.
+    pub most: f64,
+}
+
+/// What is asked of a band beyond its circles.
+#[derive(Clone, Debug, Default)]
+pub(crate) struct Asked {
+    /// Objects that the pair takes in passing.
+    pub visits: Vec<Visit>,
+    pub limits: Vec<Limit>,
+}
+
 /// Offsets of both robots from the centerline, both counted positive outwards.
 pub(crate) struct Band {
     pub left: Vec<f64>,
@@ -49,6 +67,7 @@ pub(crate) fn band(
     scene: &Scene,
     centerline: &[Pose],
     circles: &[&Circle],
+    asked: &Asked,
 ) -> Band {
     let points: Vec<Point> = centerline.iter().map(|p| p.position()).collect();
     let s = arc_lengths(&points);
@@ -82,17 +101,27 @@ pub(crate) fn band(
             let index = within(window)
                 .min_by(|&a, &b| distance(a).total_cmp(&distance(b)))
                 .unwrap_or(here);
-            let offset = (object.center - points[index]).dot(centerline[index].forward().perp());
-            let keep = object.radius + pair.radius + pair.clearance;
-            left[index] = left[index].max(offset + keep);
-            right[index] = right[index].max(keep - offset);
             visits.push(Visit { object, index });
         }
+    }
+    visits.extend(&asked.visits);
+    for &Visit { object, index } in &visits {
+        let offset = (object.center - points[index]).dot(centerline[index].forward().perp());
+        let keep = object.radius + pair.radius + pair.clearance;
+        left[index] = left[index].max(offset + keep);
+        right[index] = right[index].max(keep - offset);
     }
     rise(&s, SLOPE, &mut left);
     rise(&s, SLOPE, &mut right);
     let mut room_left = room(terrain, centerline, Side::Left, &left);
     let mut room_right = room(terrain, centerline, Side::Right, &right);
+    for limit in &asked.limits {
+        let room = match limit.side {
+            Side::Left => &mut room_left[limit.index],
+            Side::Right => &mut room_right[limit.index],
+        };
+        *room = room.min(limit.most);
+    }
     lower(&s, &mut room_left);
     lower(&s, &mut room_right);
     for i in 0..n {

@@ -5,6 +5,7 @@ mod candidates;
 mod lead;
 #[cfg(test)]
 mod tests;
+mod ties;
 mod timing;
 mod tracks;
 
@@ -12,11 +13,15 @@ use crate::centerline::itinerary::check_order;
 use crate::error::RouteError;
 use crate::polyline::{resample, with_headings};
 use crate::terrain::Terrain;
+use band::{Asked, Band};
 pub use lead::with_lead;
 use pairtrawl_geometry::{Point, Pose};
 use pairtrawl_model::{Circle, PairTrajectory, Scene, Side};
 use pairtrawl_world::World;
 use tracks::{SPACING, Tracks};
+
+/// How often a baseline is made anew with what was asked for around close objects.
+const WAYS_AROUND: usize = 4;
 
 /// The optimizer's start: N waypoints of both robots abreast on the sides of the centerline (eqs. 1 to 3, Fig. 3).
 ///
@@ -72,13 +77,43 @@ pub(crate) fn on_terrain(
         centerline[centerline.len() - 1].heading,
     );
     let visited: Vec<&Circle> = order.iter().map(|&i| &circles[i]).collect();
-    let band = band::band(terrain, scene, &fine, &visited);
-    // The robot that is ahead stands beside a later point of the centerline.
+    let tracks = around_ties(terrain, scene, &fine, &visited);
+    let count = waypoints
+        .or(scene.planner.waypoints)
+        .unwrap_or_else(|| timing::waypoint_count(&tracks, scene));
+    Ok(timing::sample(&tracks, scene, count))
+}
+
+/// The relaxed tracks, led around objects that no robot passes between, as far as they can be within a few tries.
+fn around_ties(
+    terrain: &Terrain,
+    scene: &Scene,
+    centerline: &[Pose],
+    circles: &[&Circle],
+) -> Tracks {
+    let mut asked = Asked::default();
+    let mut tries = 0;
+    loop {
+        let band = band::band(terrain, scene, centerline, circles, &asked);
+        let mut tracks = beside(centerline, scene, &band);
+        tracks.relax(terrain, scene, centerline, &band);
+        tries += 1;
+        if tries > WAYS_AROUND
+            || !ties::ask_for_ways_around(terrain, centerline, &tracks, &band.visits, &mut asked)
+        {
+            return tracks;
+        }
+    }
+}
+
+/// Both robots beside the centerline, as far from it as the band says; the robot that is ahead stands beside a later point.
+fn beside(centerline: &[Pose], scene: &Scene, band: &Band) -> Tracks {
+    let last = centerline.len() - 1;
     let track = |side: Side, offsets: &[f64]| -> Vec<Point> {
         let beside = |at: f64| {
-            let at = at.clamp(0.0, (fine.len() - 1) as f64);
-            let i = (at as usize).min(fine.len() - 2);
-            let pose = fine[i].lerp(fine[i + 1], at - i as f64);
+            let at = at.clamp(0.0, last as f64);
+            let i = (at as usize).min(last - 1);
+            let pose = centerline[i].lerp(centerline[i + 1], at - i as f64);
             let offset = offsets[i] + (offsets[i + 1] - offsets[i]) * (at - i as f64);
             pose.position() + pose.forward().perp() * (side.sign() * offset)
         };
@@ -92,14 +127,9 @@ pub(crate) fn on_terrain(
         left: track(Side::Left, &band.left),
         right: track(Side::Right, &band.right),
     };
-    let last = fine.len() - 1;
     tracks.left[0] = scene.start.left.position();
     tracks.right[0] = scene.start.right.position();
     tracks.left[last] = scene.end.left.position();
     tracks.right[last] = scene.end.right.position();
-    tracks.relax(terrain, scene, &fine, &band);
-    let count = waypoints
-        .or(scene.planner.waypoints)
-        .unwrap_or_else(|| timing::waypoint_count(&tracks, scene));
-    Ok(timing::sample(&tracks, scene, count))
+    tracks
 }

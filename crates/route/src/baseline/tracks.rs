@@ -30,7 +30,7 @@ const PROGRESS: f64 = 200.0;
 const SPARE: f64 = 0.02;
 
 /// Vertices on either side of a visit in which the robots stay on their own sides of the object.
-const WINDOW: usize = 30;
+pub(super) const WINDOW: usize = 30;
 
 /// Both tracks, index by index abreast.
 pub(crate) struct Tracks {
@@ -51,6 +51,14 @@ impl Spring {
 }
 
 impl Tracks {
+    /// The track of one robot.
+    pub fn of(&self, side: Side) -> &[Point] {
+        match side {
+            Side::Left => &self.left,
+            Side::Right => &self.right,
+        }
+    }
+
     /// Relaxes the tracks; both ends and the directions there stay.
     pub fn relax(&mut self, terrain: &Terrain, scene: &Scene, centerline: &[Pose], band: &Band) {
         let n = self.left.len();
