@@ -99,6 +99,17 @@ fn in_the_way(refused: &NotFound, scene: &Scene, near: f64) -> Vec<usize> {
             }
         }
     }
+    if found.is_empty()
+        && let Some(best) = &refused.best
+        && let Some(stuck) = refused.missing.claim().and_then(|claim| claim.step)
+    {
+        // The way to the next object does not exist, or was not found.
+        let passage = |i: usize| {
+            let (step, _) = first_passage(&best.trajectory, scene.objects[i].position)?;
+            (step >= stuck).then_some((step, i))
+        };
+        found.extend(indices().filter_map(passage).min().map(|(_, i)| i));
+    }
     if found.is_empty() {
         found.extend(refused.missing.place().and_then(nearest));
     }

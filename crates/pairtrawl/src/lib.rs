@@ -59,6 +59,7 @@ mod check;
 mod check_proofs;
 mod clock;
 mod common_start;
+mod detour;
 mod error;
 pub mod execute;
 mod explore;

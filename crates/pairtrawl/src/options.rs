@@ -15,7 +15,7 @@ pub struct PlanOptions {
     /// Whether several starts are optimized, in parallel, and the best one is planned with: the orders, and of the best of
     /// them baselines in which one robot leads. Else it is the baseline of the shortest order. Only for the joint method.
     pub explore: bool,
-    /// How the centerline is found; `None`: by hybrid A*, and by RRT* as one more start.
+    /// How the centerline is found; `None`: by hybrid A*, and by RRT* when that leads to no plan.
     pub centerline: Option<CenterlineMethod>,
     /// How the trajectories are optimized.
     pub method: Method,

@@ -4,6 +4,7 @@
 //! `rehearsed` { `certified` { `attempt`: baseline -> optimize -> certify } -> rehearse } -> plan.
 
 use crate::attempt::{Attempt, Course, Origin};
+use crate::detour::{DETOURS, closing_where_stuck};
 use crate::error::PlanError;
 use crate::leave_more::{leave_more, not_found, swept_anyway};
 use crate::no_plan::NoPlan;
@@ -12,11 +13,13 @@ use crate::observer::{Observer, Stage};
 use crate::options::{PlanOptions, RehearsalMode};
 use crate::prepare::{Prepared, prepare};
 use crate::run::Run;
-use crate::starts::starts;
+use crate::start::Start;
+use crate::starts::{shortest, starts};
 use crate::tighten::Tightening;
 use pairtrawl_model::{
     LeftOut, PairTrajectory, Plan, Rehearsal, RehearsalRecord, Scene, SceneReference, StageTime,
 };
+use std::borrow::Cow;
 
 /// More rounds in a row that mend nothing are not made, and the share of a miss that is left where a round mends something.
 const MOST_IN_VAIN: usize = 1;
@@ -57,7 +60,7 @@ pub(crate) fn from_nothing(
 ) -> Result<Planned, PlanError> {
     match from_starts(prepared, reference, &mut run) {
         Err(PlanError::NoPlan(refused)) => leave_more(prepared, refused, &mut run, |rest, run| {
-            let planned = from_starts(rest, reference, run)?;
+            let planned = from_shortest(rest, reference, run)?;
             let planned = take_back(prepared, planned, reference, run)?;
             let left = not_found(&planned.plan).map(|left| left.object).collect();
             Ok((planned, left))
@@ -108,18 +111,64 @@ pub(crate) fn from_before(
     })
 }
 
-/// Plans a prepared scene from its starts.
+/// Plans a prepared scene from its starts. The best start comes first; the others are tried only while no certified plan is
+/// found, after ways around the places where the first one gets stuck.
 fn from_starts(
     prepared: &Prepared,
     reference: &SceneReference,
     run: &mut Run,
 ) -> Result<Planned, PlanError> {
     let starts = starts(prepared, run)?;
-
-    // The best start comes first; the others are tried only while no certified plan is found.
-    let mut refused: Option<Box<NotFound>> = None;
-    let mut tried = Vec::new();
+    let mut trials = Trials::default();
     for (failed, start) in starts.iter().enumerate() {
+        if let Some(planned) = trials.start(prepared, start, reference, run)? {
+            return Ok(planned);
+        }
+        if failed == 0
+            && let Some(planned) = trials.around(prepared, reference, run)?
+        {
+            return Ok(planned);
+        }
+    }
+    Err(PlanError::NoPlan(trials.refused(reference)))
+}
+
+/// Plans a prepared scene from the shortest way alone, and along ways around the places where that gets stuck.
+fn from_shortest(
+    prepared: &Prepared,
+    reference: &SceneReference,
+    run: &mut Run,
+) -> Result<Planned, PlanError> {
+    let mut trials = Trials::default();
+    let start = run
+        .stage(Stage::Order, || shortest(prepared))?
+        .map_err(|error| prepared.route_error(error))?;
+    if let Some(planned) = trials.start(prepared, &start, reference, run)? {
+        return Ok(planned);
+    }
+    match trials.around(prepared, reference, run)? {
+        Some(planned) => Ok(planned),
+        None => Err(PlanError::NoPlan(trials.refused(reference))),
+    }
+}
+
+/// Starts that led to no certified plan.
+#[derive(Default)]
+struct Trials {
+    tried: Vec<Tried>,
+    best: Option<Box<NotFound>>,
+    latest: Option<Box<NotFound>>,
+}
+
+impl Trials {
+    /// Plans from one start; `None` when that leads to no certified plan.
+    fn start(
+        &mut self,
+        prepared: &Prepared,
+        start: &Start,
+        reference: &SceneReference,
+        run: &mut Run,
+    ) -> Result<Option<Planned>, PlanError> {
         let course = Course::new(prepared, &start.order);
         let line = run.stage(Stage::Centerline, || start.centerline(prepared))?;
         let found = line
@@ -127,35 +176,67 @@ fn from_starts(
             .and_then(|line| rehearsed(&course, &Origin::Centerline(&line, start.pair()), run));
         match found {
             Ok((mut attempt, rehearsal)) => {
-                if failed > 0 {
-                    attempt.warn_of_other_start(failed, start.name());
+                if !self.tried.is_empty() {
+                    attempt.warn_of_other_start(self.tried.len(), start.name());
                 }
                 let plan = attempt.into_plan(&course, reference, rehearsal.as_ref());
-                return Ok(Planned {
+                Ok(Some(Planned {
                     plan,
                     rehearsal,
                     stages: run.stages.clone(),
-                });
+                }))
             }
-            Err(PlanError::NoPlan(not_found)) => {
-                tried.push(Tried {
+            Err(PlanError::NoPlan(refused)) => {
+                self.tried.push(Tried {
                     start: start.name(),
-                    missing: not_found.missing.clone(),
+                    missing: refused.missing.clone(),
                 });
-                if (refused.as_ref()).is_none_or(|best| not_found.is_better_than(best)) {
-                    refused = Some(not_found);
+                if (self.best.as_ref()).is_none_or(|best| refused.is_better_than(best)) {
+                    self.best = Some(refused.clone());
                 }
+                self.latest = Some(refused);
                 run.round += 1;
+                Ok(None)
             }
-            Err(error) => return Err(error),
+            Err(error) => Err(error),
         }
     }
-    let mut refused = refused.unwrap_or_else(|| Box::new(NoPlan::NoStart.into()));
-    refused.tried = tried;
-    if let Some(best) = &mut refused.best {
-        best.scene = reference.clone();
+
+    /// Plans along other ways, which keep away from the places where the latest attempts got stuck.
+    fn around(
+        &mut self,
+        prepared: &Prepared,
+        reference: &SceneReference,
+        run: &mut Run,
+    ) -> Result<Option<Planned>, PlanError> {
+        let mut rest = Cow::Borrowed(prepared);
+        for _ in 0..DETOURS {
+            let latest = self.latest.as_deref();
+            let Some(closed) = latest.and_then(|refused| closing_where_stuck(&rest, refused))
+            else {
+                break;
+            };
+            rest = Cow::Owned(closed);
+            // Nothing is reached any more: what is closed is not only where the attempts got stuck.
+            let Ok(start) = run.stage(Stage::Order, || shortest(&rest))? else {
+                break;
+            };
+            if let Some(planned) = self.start(&rest, &start, reference, run)? {
+                return Ok(Some(planned));
+            }
+        }
+        Ok(None)
     }
-    Err(PlanError::NoPlan(refused))
+
+    /// The refusal: the best attempt, and everything that was tried.
+    fn refused(self, reference: &SceneReference) -> Box<NotFound> {
+        let mut refused = self.best.unwrap_or_else(|| Box::new(NoPlan::NoStart.into()));
+        refused.tried = self.tried;
+        if let Some(best) = &mut refused.best {
+            best.scene = reference.clone();
+        }
+        refused
+    }
 }
 
 /// A certified attempt, and its rehearsal unless that is to be skipped. One whose rehearsal fails is made again with more

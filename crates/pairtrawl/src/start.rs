@@ -34,6 +34,8 @@ pub(crate) struct Candidates {
 pub(crate) enum StartName {
     /// The visiting order of this rank by length, from 1.
     Ranked(usize),
+    /// A way that keeps away from this number of places where attempts got stuck.
+    Around(usize),
     /// The order in which the scene lists the objects.
     SceneOrder,
 }
@@ -61,6 +63,10 @@ impl Start {
                 "visiting order {rank} and a centerline by {}",
                 self.method.name()
             ),
+            StartName::Around(1) => "a way around the place where an attempt got stuck".to_owned(),
+            StartName::Around(places) => {
+                format!("a way around {places} places where attempts got stuck")
+            }
             StartName::SceneOrder => "the scene's own order".to_owned(),
         }
     }

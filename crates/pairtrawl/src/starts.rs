@@ -7,7 +7,7 @@ use crate::options::OrderMethod;
 use crate::prepare::Prepared;
 use crate::run::Run;
 use crate::start::{Candidates, Start, StartName};
-use pairtrawl_route::{RouteError, visiting_orders};
+use pairtrawl_route::{RouteError, visiting_order, visiting_orders};
 use pairtrawl_world::World;
 
 /// The starts of a scene, the one that leads to the least cost first.
@@ -20,7 +20,7 @@ pub(crate) fn starts(prepared: &Prepared, run: &mut Run) -> Result<Vec<Start>, P
     })
 }
 
-/// Visiting orders from the shortest way on, then the same by RRT*, then the scene's own order. Whatever the user fixed
+/// Visiting orders from the shortest way on, then the shortest by RRT*, then the scene's own order. Whatever the user fixed
 /// stays fixed.
 fn candidates(prepared: &Prepared) -> Result<Candidates, RouteError> {
     let (options, world) = (prepared.options, &prepared.world);
@@ -38,21 +38,34 @@ fn candidates(prepared: &Prepared) -> Result<Candidates, RouteError> {
             starts.push(start);
         }
     };
-    for &method in methods {
-        for (rank, order) in orders.iter().enumerate() {
-            add(Start::new(
-                order.clone(),
-                method,
-                StartName::Ranked(rank + 1),
-            ));
-        }
+    for (rank, order) in orders.iter().enumerate() {
+        let name = StartName::Ranked(rank + 1);
+        add(Start::new(order.clone(), methods[0], name));
+    }
+    // It takes longer than all the rest, and may pass obstacles on other sides.
+    for &method in &methods[1..] {
+        add(Start::new(orders[0].clone(), method, StartName::Ranked(1)));
     }
     if let Some(order) = last {
         add(Start::new(order, methods[0], StartName::SceneOrder));
     }
-    // The orders, and the shortest one along the way that RRT* finds, which may pass obstacles on other sides.
-    let explored = orders.len() + methods.len() - 1;
+    let explored = orders.len();
     Ok(Candidates { starts, explored })
+}
+
+/// The one start along the shortest way that keeps away from closed places.
+pub(crate) fn shortest(prepared: &Prepared) -> Result<Start, RouteError> {
+    let (options, world) = (prepared.options, &prepared.world);
+    let order = match options.order {
+        OrderMethod::Given => given(world),
+        OrderMethod::Shortest => visiting_order(world, &prepared.scaled)?,
+    };
+    let method = options.centerline_methods()[0];
+    let name = match world.closed.len() {
+        0 => StartName::Ranked(1),
+        places => StartName::Around(places),
+    };
+    Ok(Start::new(order, method, name))
 }
 
 /// The circles in the order in which the scene lists their first objects.

@@ -81,20 +81,24 @@ pub(crate) struct Terrain {
 }
 
 impl Terrain {
-    /// Objects that are left are obstacles: there may be no room for a robot behind them.
+    /// Objects that are left are obstacles: there may be no room for a robot behind them. So are closed places.
     pub fn new(world: &World, scene: &Scene) -> Self {
-        let left: Vec<Disc> = (scene.objects.iter())
+        let left = (scene.objects.iter())
             .filter(|object| object.leave)
             .map(|object| Disc {
                 center: object.position,
                 radius: object.footprint_radius(),
-            })
-            .collect();
+            });
+        let closed = world.closed.iter().map(|place| Disc {
+            center: place.center,
+            radius: place.radius,
+        });
+        let discs: Vec<Disc> = left.chain(closed).collect();
         Self::sample(scene, |p| {
-            let off_left = left
+            let off_discs = discs
                 .iter()
                 .map(|disc| p.distance(disc.center) - disc.radius);
-            off_left.fold(world.field.distance(p), f64::min)
+            off_discs.fold(world.field.distance(p), f64::min)
         })
     }
 

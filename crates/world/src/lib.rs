@@ -42,6 +42,17 @@ pub struct World {
     /// Convex pieces whose union has the boundary of all obstacles and contains no free point; deep inside of a ROS map's
     /// blocked regions it may have holes.
     pub pieces: Vec<Convex>,
+    /// Places that the route keeps away from, since an attempt got stuck there. Neither optimizer nor certificate knows them.
+    pub closed: Vec<ClosedPlace>,
+}
+
+/// A disc that no route leads through.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct ClosedPlace {
+    /// Its center.
+    pub center: Point,
+    /// Its radius.
+    pub radius: f64,
 }
 
 impl World {
@@ -60,6 +71,7 @@ impl World {
             object_circles: circles::object_circles(scene),
             circles: circles::merged_circles(scene, net_length),
             pieces,
+            closed: Vec::new(),
         })
     }
 
@@ -72,6 +84,7 @@ impl World {
             grid: self.grid.clone(),
             field: self.field.clone(),
             pieces: self.pieces.clone(),
+            closed: self.closed.clone(),
         }
     }
 }

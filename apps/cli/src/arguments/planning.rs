@@ -20,7 +20,7 @@ pub struct PlanningArguments {
     #[arg(long)]
     pub no_explore: bool,
 
-    /// How the pair's centerline is searched; left out: hybrid A* and RRT*, the cheaper plan counts
+    /// How the pair's centerline is searched; left out: hybrid A*, and RRT* when that leads to no plan
     #[arg(long, value_enum)]
     pub centerline: Option<Centerline>,
 
