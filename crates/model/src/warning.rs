@@ -25,6 +25,13 @@ pub enum Warning {
         /// The start that did not.
         start: String,
     },
+    /// The plan is certified, but the time was up before it was finished.
+    TimeLimit {
+        /// The time limit, s.
+        limit: f64,
+        /// What was not done any more.
+        missing: &'static str,
+    },
     /// Planning again did not succeed from the rest of the plan before.
     PlannedFromNothing,
     /// The plan is certified, but its rehearsal fails.
@@ -145,6 +152,13 @@ impl fmt::Display for Warning {
                 f,
                 "no certified plan was found from {failed} other start(s); this one takes {start}"
             ),
+            Self::TimeLimit { limit, missing } => {
+                let limit = numbers::duration(*limit);
+                write!(
+                    f,
+                    "the time limit of {limit} ran out: the plan is certified, but {missing}"
+                )
+            }
             Self::PlannedFromNothing => {
                 f.write_str("no certified plan followed from the one before: planned from nothing")
             }

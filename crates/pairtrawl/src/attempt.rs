@@ -104,7 +104,7 @@ impl<'a> Course<'a> {
         let net_length = self.prepared.meters(solution.net_length);
         // Without a reference nobody could drive it, whatever its waypoints prove.
         let reference = Reference::of_scene(scene, &trajectory)?;
-        let certificate = run.stage(Stage::Certify, || {
+        let certificate = run.unfinished_stage(Stage::Certify, |_| {
             certify(scene, net_length, &trajectory, Some(&reference))
         })?;
         let shrunk = solution.shrunk_margins.iter();
@@ -224,7 +224,7 @@ impl<'a> Course<'a> {
     pub fn rehearse(&self, attempt: &Attempt, run: &mut Run) -> Result<RehearsalRecord, PlanError> {
         let (net_length, trajectory) = (attempt.net_length, &attempt.trajectory);
         let options = pairtrawl_simulation::Options::default();
-        let record = run.stage(Stage::Rehearse, || {
+        let record = run.unfinished_stage(Stage::Rehearse, |_| {
             rehearse_trajectory(&self.prepared.scene, net_length, trajectory, &options)
         })?;
         Ok(record?)
@@ -259,6 +259,11 @@ impl Attempt {
             _ => claim.margin < -HOPELESS,
         };
         self.solver.status != SolverStatus::Converged && failing.any(by_far)
+    }
+
+    /// The plan is to say that the time was up before this was done.
+    pub fn warn_of_time_limit(&mut self, limit: f64, missing: &'static str) {
+        self.warnings.push(Warning::TimeLimit { limit, missing });
     }
 
     /// How many claims fail.

@@ -52,7 +52,7 @@ struct Explored {
 }
 
 /// The starts, with the visiting order that leads to the least cost first, and before it the variation of a baseline that
-/// costs least of all, when it costs less. When the work may not go on, what comes back is of no use.
+/// costs least of all, when it costs less. When the work may not go on, those come first that were optimized by then.
 pub(crate) fn explore(
     Candidates {
         mut starts,
@@ -79,7 +79,12 @@ pub(crate) fn explore(
     };
     let lines: Vec<(Start, Option<PairTrajectory>)> = orders
         .par_iter()
-        .map(|start| {
+        .enumerate()
+        .map(|(rank, start)| {
+            // The shortest way is needed in any case.
+            if rank > 0 && !may_go_on() {
+                return (start.clone(), None);
+            }
             let start = start.with_line(prepared);
             let baseline = start.baseline(prepared).ok();
             (start, baseline)

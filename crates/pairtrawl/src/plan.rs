@@ -84,6 +84,8 @@ fn take_back(
         match from_before(&fewer, before.0, before.1, reference, run) {
             Ok(more) => planned = more,
             Err(PlanError::NoPlan(_)) => run.round += 1,
+            // What is at hand is a plan.
+            Err(PlanError::TimeLimit { .. }) => break,
             Err(error) => return Err(error),
         }
     }
@@ -252,7 +254,14 @@ pub(crate) fn rehearsed(
     if options.rehearsal == RehearsalMode::Skip {
         return Ok((best, None));
     }
-    let mut record = course.rehearse(&best, run)?;
+    let mut record = match course.rehearse(&best, run) {
+        Ok(record) => record,
+        Err(PlanError::TimeLimit { limit, .. }) if options.rehearsal == RehearsalMode::Report => {
+            best.warn_of_time_limit(limit, "it was not rehearsed");
+            return Ok((best, None));
+        }
+        Err(error) => return Err(error),
+    };
     let mut latest = record.clone();
     for _ in 0..options.rehearsal_rounds {
         let Some(failed) = latest.failures().next() else {
@@ -264,15 +273,21 @@ pub(crate) fn rehearsed(
         ));
         tightening = tightening.after_event(&failed.kind);
         run.round += 1;
-        match certified(course, origin, &mut tightening, run) {
-            Ok(next) => {
-                latest = course.rehearse(&next, run)?;
+        let next = certified(course, origin, &mut tightening, run)
+            .and_then(|next| Ok((course.rehearse(&next, run)?, next)));
+        match next {
+            Ok((rehearsed, next)) => {
+                latest = rehearsed;
                 if latest.failures().count() < record.failures().count() {
                     (best, record) = (next, latest.clone());
                 }
             }
             // With more margin there is no plan any more: the one at hand stays.
             Err(PlanError::NoPlan(_)) => break,
+            Err(PlanError::TimeLimit { limit, .. }) => {
+                best.warn_of_time_limit(limit, "one with more margin was not found in time");
+                break;
+            }
             Err(error) => return Err(error),
         }
     }

@@ -42,7 +42,7 @@ impl<'a> Run<'a> {
         work: impl FnOnce(&(dyn Fn() -> bool + Sync)) -> T,
     ) -> Result<T, PlanError> {
         let result = self.unfinished_stage(stage, work)?;
-        self.may_go_on()?;
+        self.may_go_on(1.0)?;
         Ok(result)
     }
 
@@ -52,11 +52,21 @@ impl<'a> Run<'a> {
         stage: Stage,
         work: impl FnOnce(&(dyn Fn() -> bool + Sync)) -> T,
     ) -> Result<T, PlanError> {
-        self.may_go_on()?;
+        self.stage_until(1.0, stage, work)
+    }
+
+    /// The same for a stage that leaves some time for what comes after it: it ends when this share of the time limit is over.
+    pub fn stage_until<T>(
+        &mut self,
+        share: f64,
+        stage: Stage,
+        work: impl FnOnce(&(dyn Fn() -> bool + Sync)) -> T,
+    ) -> Result<T, PlanError> {
+        self.may_go_on(1.0)?;
         self.last = stage;
         self.observer.started(stage, self.round);
         let begin = self.observer.now();
-        let result = work(&|| self.may_go_on().is_ok());
+        let result = work(&|| self.may_go_on(share).is_ok());
         let seconds = self.observer.now() - begin;
         self.observer.finished(stage, seconds);
         match self
@@ -87,12 +97,13 @@ impl<'a> Run<'a> {
             .sum()
     }
 
-    fn may_go_on(&self) -> Result<(), PlanError> {
+    /// Refuses when someone wants to stop, or when this share of the time limit is over.
+    fn may_go_on(&self, share: f64) -> Result<(), PlanError> {
         if self.observer.interrupted() {
             return Err(PlanError::Interrupted);
         }
         match self.limit {
-            Some(limit) if self.observer.now() - self.begin > limit => Err(PlanError::TimeLimit {
+            Some(limit) if self.observer.now() - self.begin > share * limit => Err(PlanError::TimeLimit {
                 limit,
                 stage: self.last,
             }),

@@ -10,12 +10,15 @@ use crate::start::{Candidates, Start, StartName};
 use pairtrawl_route::{RouteError, visiting_order, visiting_orders};
 use pairtrawl_world::World;
 
+/// Exploring ends when this share of the time limit is over: what it has found by then is planned from.
+const EXPLORING: f64 = 0.4;
+
 /// The starts of a scene, the one that leads to the least cost first.
 pub(crate) fn starts(prepared: &Prepared, run: &mut Run) -> Result<Vec<Start>, PlanError> {
     let candidates = run
         .stage(Stage::Order, || candidates(prepared))?
         .map_err(|error| prepared.route_error(error))?;
-    run.watched_stage(Stage::Explore, |may_go_on| {
+    run.stage_until(EXPLORING, Stage::Explore, |may_go_on| {
         explore(candidates, prepared, may_go_on)
     })
 }
