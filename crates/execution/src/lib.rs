@@ -35,7 +35,7 @@ pub use options::{ExecutionOptions, NominalInertia, controller_parameters};
 pub use pair_controller::{Command, Measurement, PairController, PairStop, PoseFix};
 pub use plant::{Drag, PlantParameters, ReducedPlant};
 pub use reduced_run::{ReducedOutcome, ReducedRun};
-pub use rehearsal::{rehearse, rehearse_in};
+pub use rehearsal::{rehearse, rehearse_in, rehearse_while};
 pub use sample::evenly_sampled;
 pub use sensing::{Normal, Sensing, Sensors, TORQUE_PERIOD, TRACKER_TICKS};
 pub use statistics::{mixed_seed, quantile};

@@ -21,10 +21,24 @@ pub fn rehearse(
     reference: &Reference,
     options: &Options,
 ) -> Result<RehearsalRecord, SimulationError> {
+    rehearse_while(scene, net_length, reference, options, &|| true)
+}
+
+/// As [`rehearse()`], and asks before every step whether it may go on. When it may not, the record is of the drive until then.
+///
+/// # Errors
+/// As [`rehearse()`].
+pub fn rehearse_while(
+    scene: &Scene,
+    net_length: f64,
+    reference: &Reference,
+    options: &Options,
+    may_go_on: &dyn Fn() -> bool,
+) -> Result<RehearsalRecord, SimulationError> {
     let start = pair_pose(&reference.at(0.0));
     let mut simulation =
         Simulation::starting_at(scene, net_length, start, &options.for_scene(scene))?;
-    rehearse_in(&mut simulation, scene, reference, options)
+    drive(&mut simulation, scene, reference, options, may_go_on)
 }
 
 /// The same in a simulation of the scene that was set up with these options and stands at the reference's start.
@@ -37,12 +51,25 @@ pub fn rehearse_in(
     reference: &Reference,
     options: &Options,
 ) -> Result<RehearsalRecord, SimulationError> {
+    drive(simulation, scene, reference, options, &|| true)
+}
+
+fn drive(
+    simulation: &mut Simulation,
+    scene: &Scene,
+    reference: &Reference,
+    options: &Options,
+    may_go_on: &dyn Fn() -> bool,
+) -> Result<RehearsalRecord, SimulationError> {
     let options = &options.for_scene(scene);
     let mut watch = Watch::new(scene, options, simulation);
     let gains = stiff_gains(&simulation.units());
     let time_step = options.time_step;
     let steps = ((reference.duration() + options.settle_time) / time_step).ceil() as u64;
     for _ in 0..steps {
+        if !may_go_on() {
+            break;
+        }
         let targets = reference.at(simulation.time() + time_step);
         let [left, right] = simulation.robots();
         simulation.step([

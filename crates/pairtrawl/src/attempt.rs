@@ -6,11 +6,11 @@ use crate::no_plan::NoPlan;
 use crate::observer::Stage;
 use crate::options::{Method, NetLength};
 use crate::prepare::Prepared;
-use crate::rehearse::rehearse_trajectory;
 use crate::run::Run;
 use crate::sampling::weighed;
 use crate::tighten::Tightening;
 use pairtrawl_certificate::certify;
+use pairtrawl_execution::{ExecutionError, rehearse_while};
 use pairtrawl_geometry::Pose;
 use pairtrawl_model::{
     Certificate, Claim, ClaimId, Overrides, PairTrajectory, Plan, Rehearsal, RehearsalRecord,
@@ -224,10 +224,12 @@ impl<'a> Course<'a> {
     pub fn rehearse(&self, attempt: &Attempt, run: &mut Run) -> Result<RehearsalRecord, PlanError> {
         let (net_length, trajectory) = (attempt.net_length, &attempt.trajectory);
         let options = pairtrawl_simulation::Options::default();
-        let record = run.unfinished_stage(Stage::Rehearse, |_| {
-            rehearse_trajectory(&self.prepared.scene, net_length, trajectory, &options)
+        let scene = &self.prepared.scene;
+        let reference = Reference::of_scene(scene, trajectory)?;
+        let record = run.watched_stage(Stage::Rehearse, |may_go_on| {
+            rehearse_while(scene, net_length, &reference, &options, may_go_on)
         })?;
-        Ok(record?)
+        Ok(record.map_err(ExecutionError::from)?)
     }
 
     /// A warning about a margin that the scene left no room for.
