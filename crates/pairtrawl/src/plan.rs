@@ -263,6 +263,7 @@ pub(crate) fn rehearsed(
         Err(error) => return Err(error),
     };
     let mut latest = record.clone();
+    let mut length = best.net_length;
     for _ in 0..options.rehearsal_rounds {
         let Some(failed) = latest.failures().next() else {
             break;
@@ -271,13 +272,16 @@ pub(crate) fn rehearsed(
             "rehearsal: {}; planning again with more margin",
             failed.kind.describe()
         ));
-        tightening = tightening.after_event(&failed.kind);
+        let net_length = course.prepared.scales.scaled(length);
+        let may_choose = course.prepared.net_length.is_none();
+        tightening = tightening.after_event(&failed.kind, net_length, may_choose);
         run.round += 1;
         let next = certified(course, origin, &mut tightening, run)
             .and_then(|next| Ok((course.rehearse(&next, run)?, next)));
         match next {
             Ok((rehearsed, next)) => {
                 latest = rehearsed;
+                length = next.net_length;
                 if latest.failures().count() < record.failures().count() {
                     (best, record) = (next, latest.clone());
                 }

@@ -18,6 +18,8 @@ const MORE_WAYPOINTS: f64 = 1.1;
 const MORE_CLEARANCE: f64 = 0.03;
 /// Headings kept closer to abreast after a snag, rad.
 const LESS_SKEW: f64 = 0.15;
+/// The net gets this many times as long where what is in it came in the way of a robot or escaped: a full net needs a belly.
+const LONGER: f64 = 1.2;
 /// Gentler turns after a snag: by this factor.
 const GENTLER_TURNS: f64 = 0.75;
 
@@ -40,6 +42,8 @@ pub(crate) struct Tightening {
     area: f64,
     /// max_turn becomes this many times what it is.
     turn: f64,
+    /// Length of the net where the optimizer is to choose it.
+    net_length: Option<f64>,
     /// N becomes this many times what the baseline takes, unless the user fixed it.
     pub waypoints: f64,
 }
@@ -55,6 +59,7 @@ impl Tightening {
         skew: 0.0,
         area: 0.0,
         turn: 1.0,
+        net_length: None,
         waypoints: 1.0,
     };
 
@@ -71,6 +76,7 @@ impl Tightening {
         problem.area.min += inset;
         problem.area.max -= inset;
         problem.planner.max_turn *= self.turn;
+        problem.net_length = problem.net_length.or(self.net_length);
     }
 
     /// The same and more, after a certificate that does not hold.
@@ -112,8 +118,14 @@ impl Tightening {
         next
     }
 
-    /// The same and more, after a rehearsal that ended with this event first.
-    pub fn after_event(self, event: &RehearsalEventKind) -> Self {
+    /// The same and more, after a rehearsal that ended with this event first. `net_length` is that of its net; a longer one
+    /// is of use only where the planner may choose it.
+    pub fn after_event(
+        self,
+        event: &RehearsalEventKind,
+        net_length: f64,
+        may_choose: bool,
+    ) -> Self {
         use RehearsalEventKind as Kind;
         let mut next = self;
         match event {
@@ -128,10 +140,15 @@ impl Tightening {
                 next.turn *= GENTLER_TURNS;
                 next.net_clearance += MORE_CLEARANCE;
             }
-            Kind::RobotTouchesObject { .. } => next.clearance += MORE_CLEARANCE,
-            Kind::ObjectEscapes { .. } | Kind::ObjectNotGathered { .. } => {
-                next.clearance += MORE_CLEARANCE;
-                next.skew += LESS_SKEW;
+            // A longer net first, then margins too: there may be no room for those.
+            Kind::RobotTouchesObject { .. }
+            | Kind::ObjectEscapes { .. }
+            | Kind::ObjectNotGathered { .. } => {
+                next.net_length = Some(LONGER * net_length);
+                if self.net_length.is_some() || !may_choose {
+                    next.clearance += MORE_CLEARANCE;
+                    next.skew += LESS_SKEW;
+                }
             }
         }
         next
