@@ -114,7 +114,9 @@ pub(crate) fn explore(
     for (slot, order) in orders.iter_mut().zip(&ranked) {
         *slot = order.start.clone();
     }
-    let Some(least) = ranked.first().map(|order| order.objective) else {
+    // Where no order leads to an optimum, more than variations of its baseline has to change.
+    let least = ranked.first().map(|order| order.objective);
+    let Some(least) = least.filter(|least| least.is_finite()) else {
         return starts;
     };
     let varied: Vec<(&Start, &PairTrajectory, Variation)> = ranked

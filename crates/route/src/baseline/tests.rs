@@ -2,7 +2,7 @@ use super::*;
 use crate::centerline::hybrid_a_star;
 use crate::centerline::itinerary::Itinerary;
 use crate::terrain::tests::{box_distance, pair_pose, scene};
-use pairtrawl_geometry::wrap_angle;
+use pairtrawl_geometry::{Segment, wrap_angle};
 use pairtrawl_model::PairPose;
 
 struct Case {
@@ -212,4 +212,47 @@ fn a_gap_too_narrow_for_two_abreast_is_passed_staggered() {
             .max(wrap_angle(right.heading - normal).abs());
         assert!(skew < 1.1, "waypoint {i}: {skew}");
     }
+}
+
+#[test]
+fn no_robot_is_led_between_objects_that_leave_it_no_room() {
+    let mut random = crate::random::SplitMix::new(7);
+    let mut close = 0;
+    for _ in 0..4 {
+        let mut objects: Vec<[f64; 2]> = Vec::new();
+        while objects.len() < 45 {
+            let at = |k: usize| 0.01 * k as f64;
+            let object = [0.7 + at(random.below(860)), 0.7 + at(random.below(560))];
+            let ends = [[1.2, 1.2], [8.8, 5.8]];
+            let distance = |p: &[f64; 2]| Point::from(*p).distance(object.into());
+            let is_free = |p: &[f64; 2]| distance(p) > 0.08;
+            if objects.iter().all(is_free) && ends.iter().all(|end| distance(end) > 1.0) {
+                objects.push(object);
+            }
+        }
+        let start = pair_pose(1.2, 1.2, 0.0);
+        let mut scene = scene(10.0, 7.0, &objects, start, pair_pose(8.8, 5.8, 0.0));
+        scene.net.length = None;
+        let world = World::new(&scene, None).unwrap();
+        let order = crate::visiting_order(&world, &scene).unwrap();
+        let line = hybrid_a_star::centerline(&world, &scene, &order).unwrap();
+        let pair = baseline(&world, &scene, &line, &order, None).unwrap();
+        let room = |i: usize, j: usize| {
+            Point::from(objects[i]).distance(objects[j].into()) - 2.0 * (0.035 + 0.24)
+        };
+        for (i, j) in (0..45).flat_map(|i| (0..i).map(move |j| (i, j))) {
+            if room(i, j) >= 0.0 {
+                continue;
+            }
+            close += 1;
+            let between = Segment::new(objects[i].into(), objects[j].into());
+            for track in [&pair.left, &pair.right] {
+                for step in track.windows(2) {
+                    let step = Segment::new(step[0].position(), step[1].position());
+                    assert!(!step.intersects(&between), "{between:?}");
+                }
+            }
+        }
+    }
+    assert!(close > 20, "only {close} pairs of objects are close");
 }
