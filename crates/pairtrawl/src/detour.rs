@@ -49,10 +49,9 @@ fn place_of(claim: &Claim, best: &Plan) -> Option<Point> {
             let step = claim.step.filter(|&step| step < best.trajectory.len())?;
             Some(best.trajectory.pair(step).midpoint())
         }
-        ClaimId::Scene
-        | ClaimId::NetLength
-        | ClaimId::Endpoints
-        | ClaimId::EveryObjectCovered => None,
+        ClaimId::Scene | ClaimId::NetLength | ClaimId::Endpoints | ClaimId::EveryObjectCovered => {
+            None
+        }
     }
 }
 

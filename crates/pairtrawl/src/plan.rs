@@ -232,7 +232,9 @@ impl Trials {
 
     /// The refusal: the best attempt, and everything that was tried.
     fn refused(self, reference: &SceneReference) -> Box<NotFound> {
-        let mut refused = self.best.unwrap_or_else(|| Box::new(NoPlan::NoStart.into()));
+        let mut refused = self
+            .best
+            .unwrap_or_else(|| Box::new(NoPlan::NoStart.into()));
         refused.tried = self.tried;
         if let Some(best) = &mut refused.best {
             best.scene = reference.clone();

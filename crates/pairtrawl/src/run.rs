@@ -103,10 +103,12 @@ impl<'a> Run<'a> {
             return Err(PlanError::Interrupted);
         }
         match self.limit {
-            Some(limit) if self.observer.now() - self.begin > share * limit => Err(PlanError::TimeLimit {
-                limit,
-                stage: self.last,
-            }),
+            Some(limit) if self.observer.now() - self.begin > share * limit => {
+                Err(PlanError::TimeLimit {
+                    limit,
+                    stage: self.last,
+                })
+            }
             _ => Ok(()),
         }
     }

@@ -37,7 +37,7 @@ pub struct PlanningArguments {
     #[arg(long, value_name = "S", default_value_t = 0)]
     pub seed: u64,
 
-    /// Give up after this time in seconds (exit 5, no plan is written)
+    /// Stop after this time in seconds with the certified plan at hand; without one: exit 5, and no plan is written
     #[arg(long, value_name = "S", value_parser = parse_seconds)]
     pub time_limit: Option<f64>,
 

@@ -23,7 +23,8 @@ pub(super) fn ask_for_ways_around(
             let step = Segment::new(track[k], track[k + 1]);
             for [a, b] in terrain.ties_near(track[k]) {
                 if step.intersects(&Segment::new(a.center, b.center)) {
-                    found |= Crossing { side, k, a, b }.ask(terrain, centerline, tracks, visits, asked);
+                    found |=
+                        Crossing { side, k, a, b }.ask(terrain, centerline, tracks, visits, asked);
                 }
             }
         }
@@ -69,9 +70,7 @@ impl Crossing {
         let other = -offset(tracks.of(self.side.other())[self.k]);
         let beyond = offset(outer.center) + keep(outer);
         let within = offset(inner.center) - keep(inner);
-        let has_room = |at: f64| {
-            terrain.distance(pose.position() + outwards * at) > pair.radius
-        };
+        let has_room = |at: f64| terrain.distance(pose.position() + outwards * at) > pair.radius;
         let takes = is_visited(inner) || is_visited(outer);
         let can_take = beyond + other <= 2.0 * pair.max_half && has_room(beyond);
         let can_keep_off = within + other >= 2.0 * pair.min_half && has_room(within);
