@@ -21,9 +21,9 @@ import pandas as pd
 from distributed import Client, LocalCluster
 
 import pairtrawl as pt
-from pairtrawl.sweeping.engines import on_dask, on_threads
+from pairtrawl.sweeping.engines import on_dask
 from pairtrawl.sweeping.jobs import batches, jobs
-from pairtrawl.sweeping.rows import schema
+from pairtrawl.sweeping.rows import row_of, schema
 from pairtrawl.sweeping.store import Store
 
 OPTIONS = {"rehearsal": "skip", "explore": False, "rounds": 2}
@@ -80,10 +80,15 @@ def main() -> None:
             order += [job.key for job in todo]
             for name in ("sweep", "plan_batch") if first // arguments.block % 2 == 0 else ("plan_batch", "sweep"):
                 begin = time.perf_counter()
-                work = batches(todo, arguments.batch if name == "sweep" else len(todo))
-                for _, rows in on_dask(work, client, None) if name == "sweep" else on_threads(work, 2):
+                if name == "plan_batch":
+                    plans = pt.plan_batch([job.scene for job in todo], threads=2, **OPTIONS)
+                    seconds[name] += time.perf_counter() - begin
+                    # Its rows are for the comparison only.
+                    stores[name].add([row_of(job, plan) for job, plan in zip(todo, plans)])
+                    continue
+                for _, rows in on_dask(batches(todo, arguments.batch), client, None):
                     stores[name].add(rows)
-                    if name == "sweep" and arguments.kill and not killed and first >= arguments.scenes / 2:
+                    if arguments.kill and not killed and first >= arguments.scenes / 2:
                         killed.append(pids[0])
                         os.kill(pids[0], signal.SIGKILL)
                 seconds[name] += time.perf_counter() - begin

@@ -43,7 +43,9 @@ def test_check_agrees_and_notices_a_changed_scene(paper: pt.Scene, paper_plan: p
     changed = paper.copy()
     x, y = paper_plan.left[len(paper_plan) // 2, :2]
     changed.add_obstacle(circle=(x, y, 0.05))
-    failed = {claim.name for claim in pt.check(changed, paper_plan).failed}
+    refused = pt.check(changed, paper_plan)
+    assert not refused.valid
+    failed = {claim.name for claim in refused.failed}
     assert {"scene", "robot_clearance"} <= failed
 
 

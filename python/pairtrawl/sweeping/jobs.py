@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import functools
 import hashlib
 import itertools
 import json
@@ -68,8 +69,13 @@ def jobs(scenes: Iterable[SceneLike], options: Collection[Options]) -> Iterator[
 
 
 def _key(scene: Scene, options: Options) -> str:
-    said = json.dumps([version("pairtrawl"), scene.sha256, options], sort_keys=True)
+    said = json.dumps([_version(), scene.sha256, options], sort_keys=True)
     return hashlib.sha256(said.encode()).hexdigest()[:32]
+
+
+@functools.cache
+def _version() -> str:
+    return version("pairtrawl")
 
 
 def batches(todo: Iterable[Job], size: int) -> Iterator[list[Job]]:

@@ -66,15 +66,16 @@ def compute(batch: list[Job], threads: int | None = 1) -> list[Row]:
     """Plans a batch: this is what a worker does. A failure is a row as well."""
     each = [job.options for job in batch]
     results = plan_batch([job.scene for job in batch], each=each, threads=threads)
-    return [_row(job, result) for job, result in zip(batch, results)]
+    return [row_of(job, result) for job, result in zip(batch, results)]
 
 
 def lost(job: Job, why: str) -> Row:
     """The row of a plan whose workers died, again and again."""
-    return _row(job, PairtrawlError(why))
+    return row_of(job, PairtrawlError(why))
 
 
-def _row(job: Job, result: Plan | PairtrawlError) -> Row:
+def row_of(job: Job, result: Plan | PairtrawlError) -> Row:
+    """The row of a plan, or of what came instead."""
     scene = {"key": job.key, "scene": job.scene.name, "scene_sha256": job.scene.sha256}
     outcome = _of_error(job, result) if isinstance(result, PairtrawlError) else _of_plan(result)
     return {**scene, **job.options, **outcome, "objects": len(job.scene.objects)}
