@@ -22,13 +22,16 @@ class PlanOptions(TypedDict, total=False):
     explore: bool | None
     """Whether several starts are optimized and the best one counts (default), or the first one alone."""
     centerline: Literal["hybrid-a-star", "rrt-star"] | None
-    """How the centerline is searched; left out: both, the cheaper plan counts."""
+    """How the centerline is searched; left out: hybrid A*, and RRT* when that leads to no plan."""
     method: Literal["joint", "alternating", "alternating-bounded"] | None
     """How the trajectories are optimized: both robots and the net at once (default), or the paper's Algorithm 1."""
+    tolerance: float | None
+    """Polishes the plan to this relative KKT residual, from 1e-9 to 1e-3; left out: within about 1e-4 of the optimum nearby."""
     seed: int | None
     """Of whatever is random: the centerline by RRT*."""
     time_limit: float | None
-    """Gives up after so many seconds with `TimeLimitError`. The only option that makes results depend on the machine."""
+    """Stops after so many seconds with the certified plan at hand, without one with `TimeLimitError`. The only option that makes
+    results depend on the machine."""
     leave: Literal["none", "unreachable"] | None
     """What is done with objects that cannot be gathered: refuse the whole plan, or leave them and gather the rest."""
     rehearsal: bool | Literal["skip", "report", "require"] | None
@@ -68,7 +71,17 @@ class RunOptions(TypedDict, total=False):
     """Standard deviation of measured positions, m."""
     heading_noise: float | None
     """Standard deviation of measured headings, rad."""
-    nominal_inertia: Literal["paper", "robot"] | None
+    feedback: float | None
+    """Velocity feedback of the adaptive and the integral law, times the default."""
+    rates: float | None
+    """Rates of adaptation, or the integral gain, times the defaults."""
+    adapt: list[Literal["state", "input", "bias"]] | None
+    """What the adaptive law adapts: all by default; an empty list: nothing."""
+    torque_limit: float | None
+    """Greatest torque that controllers command to a wheel, N m, instead of the scene's."""
+    stop_error: float | None
+    """Stops the pair when a robot is this far from its path, m, instead of 0.25."""
+    nominal_inertia: Literal["table", "robot"] | None
     """Inertia in the controllers' model: the paper's table (default), or the scene's robot."""
     sample_interval: float | None
     """Time between two samples of the controllers that are kept, s."""

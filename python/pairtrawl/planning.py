@@ -28,7 +28,7 @@ def plan(
 
     Options, all by keyword (`pairtrawl.options.PlanOptions`): net_length (m, or "auto"), waypoints, order ("shortest" or
     "given"), orders, explore, centerline ("hybrid-a-star" or "rrt-star"), method ("joint", "alternating" or
-    "alternating-bounded"), seed, time_limit (s), leave ("none" or "unreachable"), rehearsal ("skip", "report" or "require"),
+    "alternating-bounded"), tolerance, seed, time_limit (s), leave ("none" or "unreachable"), rehearsal ("skip", "report" or "require"),
     rounds, rehearsal_rounds.
 
     threads: how many threads work; None: as many as the machine has.
@@ -116,7 +116,8 @@ def run(
 
     Options, all by keyword (`pairtrawl.options.RunOptions`): controller ("mrac", "integral" or "model-based"), trials, seed,
     robot_mass, robot_inertia, object_mass (kg), payload (kg), friction, pose_delay (s), velocity_delay (s), odometry_scale,
-    position_noise (m), heading_noise (rad), nominal_inertia, sample_interval (s), unproven. Ranges are a number or a pair.
+    position_noise (m), heading_noise (rad), feedback, rates, adapt, torque_limit (N m), stop_error (m), nominal_inertia ("table" or
+    "robot"), sample_interval (s), unproven. Ranges are a number or a pair.
 
     output: a folder for execution.json, report.html and a ROS 2 recording of the first trial, as from the program.
     """

@@ -10,10 +10,10 @@ use crate::samples::samples_into;
 use crate::scene::Scene;
 use crate::typed::{AnyDict, Progress};
 use crate::work::watched;
-use pairtrawl::execute::execute;
+use pairtrawl::execute::{execute, rehearse_while};
 use pairtrawl::files::execution_json;
 use pairtrawl::model::Trial as LibraryTrial;
-use pairtrawl::rehearse_trajectory;
+use pairtrawl::reference::Reference;
 use pyo3::prelude::*;
 use pyo3::types::PyTuple;
 use std::path::PathBuf;
@@ -58,15 +58,15 @@ pub fn rehearse<'py>(
             None => {}
         }
     }
-    let record = watched(py, Some(1), None, |_| {
+    let record = watched(py, Some(1), None, |watch| {
         let left = plan.plan.left_out.iter().map(|left| left.object);
         let scene = state.loaded.scene.leaving(left);
-        rehearse_trajectory(
-            &scene,
-            plan.plan.net_length,
-            &plan.plan.trajectory,
-            &options,
-        )
+        let trajectory = &plan.plan.trajectory;
+        let reference = Reference::of_scene(&scene, trajectory).map_err(|e| e.to_string())?;
+        let net_length = plan.plan.net_length;
+        let may_go_on = || !watch.is_stopped();
+        rehearse_while(&scene, net_length, &reference, &options, &may_go_on)
+            .map_err(|e| e.to_string())
     })?;
     rehearsal_object(
         py,

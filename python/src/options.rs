@@ -9,7 +9,7 @@ use pyo3::types::PyDict;
 use std::time::Duration;
 
 /// The keywords.
-const KEYS: [&str; 13] = [
+const KEYS: [&str; 14] = [
     "net_length",
     "waypoints",
     "order",
@@ -17,6 +17,7 @@ const KEYS: [&str; 13] = [
     "explore",
     "centerline",
     "method",
+    "tolerance",
     "seed",
     "time_limit",
     "leave",
@@ -116,6 +117,12 @@ fn set(plan: &mut PlanOptions, key: &str, value: &Bound<'_, PyAny>) -> PyResult<
                         "\"joint\", \"alternating\" or \"alternating-bounded\"",
                     ));
                 }
+            };
+        }
+        "tolerance" => {
+            plan.tolerance = match value.extract::<f64>() {
+                Ok(tolerance) if (1e-9..=1e-3).contains(&tolerance) => Some(tolerance),
+                _ => return Err(refuse("a relative residual from 1e-9 to 1e-3")),
             };
         }
         "time_limit" => {

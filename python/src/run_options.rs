@@ -1,7 +1,7 @@
 //! Options of driving by keyword.
 
 use crate::errors::bad_input;
-use pairtrawl::execute::{ExecutionOptions, NominalInertia};
+use pairtrawl::execute::{AdaptedParts, ExecutionOptions, NominalInertia};
 use pairtrawl::model::ControllerKind;
 use pyo3::exceptions::PyTypeError;
 use pyo3::prelude::*;
@@ -27,7 +27,8 @@ pub fn run_options(given: &Bound<'_, PyDict>) -> PyResult<ExecutionOptions> {
             "robot_mass" | "robot_inertia" | "object_mass" | "friction" | "pose_delay"
             | "velocity_delay" | "odometry_scale" => "a number, or a pair: the lower first",
             "controller" => "\"mrac\", \"integral\" or \"model-based\"",
-            "nominal_inertia" => "\"paper\" or \"robot\"",
+            "nominal_inertia" => "\"table\" or \"robot\"",
+            "adapt" => "a list of \"state\", \"input\" and \"bias\", perhaps empty",
             "trials" | "seed" => "a whole number, 0 or more",
             "unproven" => "True or False",
             _ => "a number",
@@ -58,7 +59,7 @@ fn set(options: &mut ExecutionOptions, key: &str, value: &Bound<'_, PyAny>) -> P
         }
         "nominal_inertia" => {
             options.nominal_inertia = match value.extract::<String>()?.as_str() {
-                "paper" => NominalInertia::PaperTable,
+                "table" => NominalInertia::PaperTable,
                 "robot" => NominalInertia::Robot,
                 other => return Err(PyTypeError::new_err(other.to_owned())),
             };
@@ -75,9 +76,28 @@ fn set(options: &mut ExecutionOptions, key: &str, value: &Bound<'_, PyAny>) -> P
         "odometry_scale" => options.odometry_scale = range(value)?,
         "position_noise" => options.sensing.position_noise = value.extract()?,
         "heading_noise" => options.sensing.heading_noise = value.extract()?,
+        "feedback" => options.law.feedback = value.extract()?,
+        "rates" => options.law.rates = value.extract()?,
+        "adapt" => options.law.adapts = adapted(&value.extract::<Vec<String>>()?)?,
+        "torque_limit" => options.law.torque_limit = Some(value.extract()?),
+        "stop_error" => options.supervisor.tracking_error = value.extract()?,
         "sample_interval" => options.sample_interval = value.extract()?,
         "unproven" => options.unproven = value.extract()?,
         _ => return Err(PyTypeError::new_err(format!("there is no option {key}"))),
     }
     Ok(())
+}
+
+/// What the adaptive law adapts, by name.
+fn adapted(names: &[String]) -> PyResult<AdaptedParts> {
+    let mut parts = AdaptedParts::NONE;
+    for name in names {
+        match name.as_str() {
+            "state" => parts.state = true,
+            "input" => parts.input = true,
+            "bias" => parts.bias = true,
+            other => return Err(PyTypeError::new_err(other.to_owned())),
+        }
+    }
+    Ok(parts)
 }

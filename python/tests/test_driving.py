@@ -53,7 +53,9 @@ def test_drives(hall: pt.Scene, hall_plan: pt.Plan, tmp_path: Path) -> None:
 def test_options_of_drives(hall: pt.Scene, hall_plan: pt.Plan) -> None:
     other = pt.run(hall, hall_plan, trials=1, controller="integral", nominal_inertia="robot", position_noise=0.0)
     assert other.controller == "integral"
-    for bad in ({"controller": "hope"}, {"trials": 0}, {"friction": (2.0, 1.0)}, {"robot_mass": -1.0}):
+    still = pt.run(hall, hall_plan, trials=1, adapt=[], feedback=1.2, stop_error=0.5)
+    assert not np.array_equal(still.trials[0].left, pt.run(hall, hall_plan, trials=1).trials[0].left)
+    for bad in ({"controller": "hope"}, {"adapt": ["mood"]}, {"rates": -1.0}, {"trials": 0}, {"friction": (2.0, 1.0)}, {"robot_mass": -1.0}):
         with pytest.raises(pt.InputError):
             pt.run(hall, hall_plan, **bad)  # type: ignore[arg-type]
     with pytest.raises(TypeError, match="no option"):

@@ -63,6 +63,7 @@ def test_options(hall: pt.Scene) -> None:
         {"rehearsal": "maybe"},
         {"leave": "all"},
         {"seed": -1},
+        {"tolerance": 0.1},
     ):
         (name,) = bad
         with pytest.raises(pt.InputError, match=name):
