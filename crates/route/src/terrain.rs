@@ -2,7 +2,7 @@
 
 use pairtrawl_geometry::Point;
 use pairtrawl_model::Scene;
-use pairtrawl_world::{OPEN_NET_LENGTH, World};
+use pairtrawl_world::{Lattice, OPEN_NET_LENGTH, World};
 
 /// Finest spacing of the distance samples.
 const PITCH: f64 = 0.05;
@@ -80,6 +80,24 @@ pub(crate) struct Terrain {
     ties: Vec<Vec<u32>>,
 }
 
+/// Width and height of the area, neither of them zero.
+fn size(scene: &Scene) -> (f64, f64) {
+    let (min, max) = (scene.area.min, scene.area.max);
+    ((max.x - min.x).max(PITCH), (max.y - min.y).max(PITCH))
+}
+
+/// Where distances are sampled.
+fn lattice(scene: &Scene) -> Lattice {
+    let (width, height) = size(scene);
+    let pitch = PITCH.max((width * height / MAX_SAMPLES).sqrt());
+    Lattice {
+        min: scene.area.min,
+        pitch,
+        columns: (width / pitch).ceil() as usize + 1,
+        rows: (height / pitch).ceil() as usize + 1,
+    }
+}
+
 impl Terrain {
     /// Objects that are left are obstacles: there may be no room for a robot behind them. So are closed places.
     pub fn new(world: &World, scene: &Scene) -> Self {
@@ -94,33 +112,37 @@ impl Terrain {
             radius: place.radius,
         });
         let discs: Vec<Disc> = left.chain(closed).collect();
-        Self::sample(scene, |p| {
+        let lattice = lattice(scene);
+        let distances = world.distances_on(&lattice);
+        let off_discs = |(p, &distance): (Point, &f64)| {
             let off_discs = discs
                 .iter()
                 .map(|disc| p.distance(disc.center) - disc.radius);
-            off_discs.fold(world.field.distance(p), f64::min)
-        })
+            off_discs.fold(distance, f64::min)
+        };
+        Self::over(scene, lattice.points().zip(distances.iter()).map(off_discs))
     }
 
     /// Samples a signed distance (negative inside obstacles) over the scene's area.
+    #[cfg(test)]
     pub fn sample(scene: &Scene, field: impl Fn(Point) -> f64) -> Self {
+        Self::over(scene, lattice(scene).points().map(field))
+    }
+
+    /// From signed distances at the points of the scene's lattice.
+    fn over(scene: &Scene, distances: impl Iterator<Item = f64>) -> Self {
         let (min, max) = (scene.area.min, scene.area.max);
         let pair = PairMeasures::of(scene);
-        let (width, height) = ((max.x - min.x).max(PITCH), (max.y - min.y).max(PITCH));
-        let pitch = PITCH.max((width * height / MAX_SAMPLES).sqrt());
-        let columns = (width / pitch).ceil() as usize + 1;
-        let rows = (height / pitch).ceil() as usize + 1;
-        let mut distance = Vec::with_capacity(columns * rows);
-        for row in 0..rows {
-            for column in 0..columns {
-                let p = min + Point::new(column as f64, row as f64) * pitch;
-                let inside = (p.x - min.x)
-                    .min(max.x - p.x)
-                    .min(p.y - min.y)
-                    .min(max.y - p.y);
-                distance.push(field(p).min(inside + pair.radius + pair.clearance));
-            }
-        }
+        let lattice = lattice(scene);
+        let softened = |(p, distance): (Point, f64)| {
+            let inside = (p.x - min.x)
+                .min(max.x - p.x)
+                .min(p.y - min.y)
+                .min(max.y - p.y);
+            distance.min(inside + pair.radius + pair.clearance)
+        };
+        let distance = lattice.points().zip(distances).map(softened).collect();
+        let (width, height) = size(scene);
         let objects: Vec<Disc> = scene
             .objects
             .iter()
@@ -144,9 +166,9 @@ impl Terrain {
             max,
             pair,
             objects,
-            pitch,
-            columns,
-            rows,
+            pitch: lattice.pitch,
+            columns: lattice.columns,
+            rows: lattice.rows,
             distance,
             bucket,
             bucket_columns,

@@ -10,6 +10,7 @@ mod distance_transform;
 mod error;
 mod field;
 mod grid;
+mod lattice;
 mod map_rectangles;
 mod pieces;
 mod polygon;
@@ -22,11 +23,13 @@ pub use circles::OPEN_NET_LENGTH;
 pub use error::WorldError;
 pub use field::DistanceField;
 pub use grid::{Cell, MAX_CELLS, OccupancyGrid, REACH, grid_size};
+pub use lattice::Lattice;
 pub use pieces::{convex_cover, footprint_outline, obstacle_pieces};
 pub use shape::{overlap, signed_distance};
 
 use pairtrawl_geometry::{Convex, Point};
 use pairtrawl_model::{Circle, Scene};
+use std::sync::Arc;
 
 /// What the planner knows about the space of a scene.
 #[derive(Clone, Debug)]
@@ -42,6 +45,7 @@ pub struct World {
     /// Convex pieces whose union has the boundary of all obstacles and contains no free point; deep inside of a ROS map's
     /// blocked regions it may have holes.
     pub pieces: Vec<Convex>,
+    sampled: lattice::Sampled,
     /// Places that the route keeps away from, since an attempt got stuck there. Neither optimizer nor certificate knows them.
     pub closed: Vec<ClosedPlace>,
 }
@@ -72,6 +76,7 @@ impl World {
             circles: circles::merged_circles(scene, net_length),
             pieces,
             closed: Vec::new(),
+            sampled: lattice::Sampled::default(),
         })
     }
 
@@ -85,7 +90,13 @@ impl World {
             field: self.field.clone(),
             pieces: self.pieces.clone(),
             closed: self.closed.clone(),
+            sampled: self.sampled.clone(),
         }
+    }
+
+    /// Signed distances at the points of a lattice, in their order.
+    pub fn distances_on(&self, lattice: &Lattice) -> Arc<[f64]> {
+        self.sampled.on(lattice, &self.field)
     }
 }
 
