@@ -22,8 +22,8 @@ pub struct PlannerParameters {
     pub cruise: f64,
     /// l of eq. 1: half the separation of the baseline pair away from circles, m.
     pub half_separation: f64,
-    /// gamma: margin of an object's circle beyond its minimum bounding circle, m; `None`: the robot radius, of a body
-    /// half its width, and in J_obs of each circle of a body its own radius.
+    /// gamma: margin of an object's circle beyond its minimum bounding circle, m, for order, centerline and baseline; `None`:
+    /// the robot radius, of a body half its width. Constraints and J_obs keep to the robot's circles.
     pub circle_margin: Option<f64>,
     /// N: waypoints of the plan; `None`: from the length of the baseline.
     pub waypoints: Option<usize>,

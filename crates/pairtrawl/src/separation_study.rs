@@ -11,7 +11,7 @@ use pairtrawl_model::{Cost, PairTrajectory, Scene};
 use pairtrawl_parallel::prelude::*;
 use pairtrawl_trajopt::{Problem, SeparationRule, Settings, Solution, evaluate, optimize};
 
-/// The paper's comparison of its U-shaped separation cost with two others (its Fig. 7). Studies: their trajectories break
+/// The paper's comparison of its U-shaped separation cost with two others (its Fig. 6). Studies: their trajectories break
 /// claims, so they are never plans.
 #[derive(Clone, Debug, PartialEq)]
 pub struct SeparationStudy {

@@ -16,11 +16,18 @@ const TERMS: [Term; 5] = [
     ("obstacles and objects", "obstacles", |c| c.obstacle),
 ];
 
-/// A standalone picture of J and its terms over the net length, with the minimum marked; net lengths without a plan
-/// stand as crosses below the curves, with the reason as a tooltip.
+/// Height of the lower frame, which shows the terms, and the space above it, px.
+const TERMS_HEIGHT: f64 = 240.0;
+const BETWEEN: f64 = 64.0;
+/// The upper frame shows costs up to this many times the least: what is above it leaves the frame, so that the shape around
+/// the least can be seen.
+const HIGHEST: f64 = 1.25;
+
+/// A standalone picture of J over the net length, with the minimum marked and an axis that follows it, and of its terms from
+/// zero up below; net lengths without a plan stand as crosses below the curve, with the reason as a tooltip.
 pub fn length_svg(curve: &LengthCurve) -> String {
-    let plot = frame_of(curve);
-    let (width, height) = (plot.right() + 24.0, plot.bottom() + 120.0);
+    let (plot, terms) = frames_of(curve);
+    let (width, height) = (plot.right() + 24.0, terms.bottom() + 120.0);
     let mut w = Writer::default();
     let title = format!("{}: cost over net length", curve.title);
     let styles = [frame::STYLE, STYLE];
@@ -48,28 +55,26 @@ pub fn length_svg(curve: &LengthCurve) -> String {
         &words,
     );
 
-    let (left, top) = (n(plot.left), n(plot.top));
-    let (pane_width, pane_height) = (n(plot.width), n(plot.height));
-    w.empty(
-        "rect",
-        &[
-            ("class", &"pane"),
-            ("x", &left),
-            ("y", &top),
-            ("width", &pane_width),
-            ("height", &pane_height),
-        ],
-    );
     let unit = LengthUnit::of(plot.x.1);
-    let axes = Frame {
-        x: (unit.per_meter * plot.x.0, unit.per_meter * plot.x.1),
-        ..plot
-    };
     let name = format!("net length d_max ({})", unit.name);
-    axes.draw_axes(&mut w, &name, "cost J");
-    for (_, class, term) in TERMS.iter().rev() {
-        draw_curve(&mut w, curve, &plot, class, *term);
+    for (frame, y_name) in [(&plot, "cost J"), (&terms, "terms of J")] {
+        pane(&mut w, frame);
+        let axes = Frame {
+            x: (unit.per_meter * frame.x.0, unit.per_meter * frame.x.1),
+            ..*frame
+        };
+        axes.draw_axes(&mut w, &name, y_name);
     }
+    w.open("clipPath", &[("id", &"plot")]);
+    pane(&mut w, &plot);
+    w.close();
+    let [total, others @ ..] = &TERMS;
+    for (_, class, term) in others.iter().rev() {
+        draw_curve(&mut w, curve, &terms, class, *term);
+    }
+    w.open("g", &[("clip-path", &"url(#plot)")]);
+    draw_curve(&mut w, curve, &plot, total.1, total.2);
+    w.close();
     draw_missing(&mut w, curve, &plot);
     if let Some((length, cost)) = &curve.minimum {
         let (x, y) = (plot.px(*length), plot.py(cost.total()));
@@ -85,12 +90,26 @@ pub fn length_svg(curve: &LengthCurve) -> String {
             ],
         );
     }
-    legend(&mut w, curve, &plot);
+    legend(&mut w, curve, &terms);
     w.finish()
 }
 
-/// The frame that holds all curves, J from zero up: the shares of the terms are told by their heights.
-fn frame_of(curve: &LengthCurve) -> Frame {
+fn pane(w: &mut Writer, frame: &Frame) {
+    let n = |v: f64| Rounded(v, 1);
+    w.empty(
+        "rect",
+        &[
+            ("class", &"pane"),
+            ("x", &n(frame.left)),
+            ("y", &n(frame.top)),
+            ("width", &n(frame.width)),
+            ("height", &n(frame.height)),
+        ],
+    );
+}
+
+/// The frame of J, whose axis follows it, and that of its terms from zero up, whose shares are told by their heights.
+fn frames_of(curve: &LengthCurve) -> (Frame, Frame) {
     let minimum = curve
         .minimum
         .iter()
@@ -100,7 +119,9 @@ fn frame_of(curve: &LengthCurve) -> Frame {
         .iter()
         .filter_map(|p| Some((p.net_length, p.outcome.as_ref().ok()?.total())));
     let highest = minimum.clone().chain(solved).map(|(_, j)| j);
-    let highest = highest.filter(|j| j.is_finite()).fold(0.0, f64::max);
+    let totals: Vec<f64> = highest.filter(|j| j.is_finite()).collect();
+    let highest = totals.iter().copied().fold(0.0, f64::max);
+    let least = totals.iter().copied().fold(f64::INFINITY, f64::min);
     let lengths = || {
         let points = curve.points.iter().map(|p| p.net_length);
         points
@@ -120,15 +141,29 @@ fn frame_of(curve: &LengthCurve) -> Frame {
     } else {
         (0.0, 1.0)
     };
-    let y = (0.0, if highest > 0.0 { 1.06 * highest } else { 1.0 });
-    Frame {
+    let top = if highest > 0.0 { 1.06 * highest } else { 1.0 };
+    let shown = highest.min(HIGHEST * least);
+    let room = 0.08 * (shown - least);
+    let plot = Frame {
         left: 84.0,
         top: 62.0,
         width: 660.0,
-        height: 380.0,
+        height: 300.0,
         x,
-        y,
-    }
+        y: if room > 0.0 {
+            // Crosses stand at the lower border.
+            (least - 2.0 * room, shown + room)
+        } else {
+            (0.0, top)
+        },
+    };
+    let terms = Frame {
+        top: plot.bottom() + BETWEEN,
+        height: TERMS_HEIGHT,
+        y: (0.0, top),
+        ..plot
+    };
+    (plot, terms)
 }
 
 fn draw_curve(

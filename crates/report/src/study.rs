@@ -7,7 +7,7 @@ mod curve_labels;
 mod page;
 mod picture;
 
-pub use chart::{Axis, Band, Chart, Curve, Line, Mark};
+pub use chart::{Axis, Band, Chart, Curve, Line, Mark, chart_svg};
 pub use page::{section_html, study_html};
 pub use picture::{Note, Pen, Picture, Track, Wash};
 

@@ -81,3 +81,11 @@ pub struct Claim {
     /// What numbers say about it.
     pub rule: fn(&Evidence) -> Outcome,
 }
+
+/// `Shown` or `NotShown`, with its reason.
+pub(crate) fn shown_when(holds: bool, yes: &str, no: &str) -> Outcome {
+    match holds {
+        true => Outcome::Shown(yes.to_owned()),
+        false => Outcome::NotShown(no.to_owned()),
+    }
+}

@@ -63,7 +63,7 @@ impl ActiveSet {
 fn other_costs(problem: &Problem, x: &Iterate) -> f64 {
     let count = x.stages.len();
     let turned = |v: usize| x.stages[count - 1][v] - x.stages[0][v];
-    let mut total = Turning::of(&problem.planner).linear(turned(2) + turned(5));
+    let mut total = Turning::minimized(&problem.planner).linear(turned(2) + turned(5));
     for i in 0..count {
         let z = x.pair(i);
         costs::of_pair(problem, i, &mut |cost| total += cost.value(&z));

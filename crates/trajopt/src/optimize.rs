@@ -123,7 +123,7 @@ fn held_cost(problem: &Problem, x: &Iterate) -> f64 {
         return 0.0;
     };
     let p = &problem.planner;
-    let (distance, turning) = (Distance::of(p), Turning::of(p));
+    let (distance, turning) = (Distance::of(p), Turning::minimized(p));
     (0..x.stages.len() - 1)
         .map(|i| {
             let (real, seen) = (Step::of(x, i, robot), Step::seen(problem, x, i, robot));

@@ -9,7 +9,7 @@ use std::path::PathBuf;
   pairtrawl length hall/scene.toml --from 1.0 --to 3.0 --points 21 -o out/length
 
 Number of waypoints, visiting order and sides are the same for every length. Writes length.json, length.csv, length.svg;
-with --compare also separation.csv.")]
+with --compare also separation.csv and separation.svg.")]
 pub struct LengthArguments {
     /// The scene, a TOML file
     #[arg(value_name = "SCENE", value_hint = ValueHint::FilePath)]

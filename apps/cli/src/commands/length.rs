@@ -10,6 +10,7 @@ use crate::results::{Results, in_folder};
 use pairtrawl::files::LoadedScene;
 use pairtrawl::model::numbers::{cost, length as meters};
 use pairtrawl::model::{Cost, LengthCurve, LengthRefusal};
+use pairtrawl::report::study::{Axis, Chart, Curve, Line, Mark};
 use pairtrawl::{LengthRange, OrderMethod, PlanError, PlanOptions, SeparationStudy, report};
 use schemars::JsonSchema;
 use serde::Serialize;
@@ -19,7 +20,13 @@ use std::fmt::Write;
 const FLAT: f64 = 0.01;
 
 /// The files of a study, its numbers first.
-const FILES: &[&str] = &["length.json", "length.csv", "length.svg", "separation.csv"];
+const FILES: &[&str] = &[
+    "length.json",
+    "length.csv",
+    "length.svg",
+    "separation.csv",
+    "separation.svg",
+];
 
 /// The cost of the best plan over the length of the net.
 #[derive(Clone, Serialize, JsonSchema)]
@@ -138,11 +145,11 @@ fn length_in(
         ("length.csv", report::length_csv(&curve)),
         ("length.svg", report::length_svg(&curve)),
     ];
-    contents.extend(
-        study
-            .as_ref()
-            .map(|study| ("separation.csv", study_csv(&curve, study))),
-    );
+    if let Some(study) = &study {
+        contents.push(("separation.csv", study_csv(&curve, study)));
+        let chart = study_chart(&curve, study);
+        contents.push(("separation.svg", report::study::chart_svg(&chart)));
+    }
     contents.push(("length.json", format!("{}\n", to_json(&file)?)));
     let files = results.write(&contents)?;
 
@@ -317,6 +324,50 @@ fn study_text(study: &SeparationStudy) -> String {
         };
     }
     text
+}
+
+/// Distance cost of the three rules over the net length.
+fn study_chart(curve: &LengthCurve, study: &SeparationStudy) -> Chart {
+    let chart_curve = |label: &str, look: usize, line: Line, points: Vec<(f64, f64)>| Curve {
+        label: label.to_owned(),
+        points,
+        line,
+        look,
+        band: None,
+    };
+    let u_shape = curve.points.iter().map(|point| {
+        let cost = point.outcome.as_ref().map_or(f64::NAN, |c| c.distance);
+        (point.net_length, cost)
+    });
+    let rigid = study.rigid.iter().map(|(length, outcome)| {
+        let cost = outcome.as_ref().map_or(f64::NAN, |c| c.distance);
+        (*length, cost)
+    });
+    let mut curves = vec![
+        chart_curve("rigid", 1, Line::Dashed, rigid.collect()),
+        chart_curve("U-shape", 0, Line::Solid, u_shape.collect()),
+    ];
+    let mut marks = Vec::new();
+    if let Ok((needed, cost)) = &study.free {
+        let ends = [curve.points.first(), curve.points.last()];
+        let ends = ends
+            .into_iter()
+            .flatten()
+            .map(|p| (p.net_length, cost.distance));
+        curves.push(chart_curve("none", 2, Line::Plain, ends.collect()));
+        marks.push(Mark {
+            x: *needed,
+            label: "none needs".to_owned(),
+        });
+    }
+    Chart {
+        title: format!("{}: rules for the separation", curve.title),
+        x: Axis::named("net length d_max (m)"),
+        y: Axis::named("distance cost J_dist"),
+        curves,
+        marks,
+        caption: "A gap in a curve: no solution.".to_owned(),
+    }
 }
 
 /// Distance cost of the three rules over the net length; empty where there is no solution.

@@ -186,6 +186,12 @@ fn execution_text(name: &str, execution: &Execution) -> String {
         text,
         "  position errors are those of the worse robot, rms / greatest: over the whole drive, and settled, after its first second"
     );
+    if trials.iter().any(Trial::was_stopped) {
+        let _ = writeln!(
+            text,
+            "  J in brackets: of a stopped drive, as far as it came"
+        );
+    }
     let _ = writeln!(
         text,
         "  {:>5} {:>9} {:>18} {:>18} {:>10} {:>9}  first event",
@@ -217,6 +223,11 @@ fn trial_text(trial: &Trial) -> String {
             left.settled_max.max(right.settled_max)
         ]),
         quantity(trial.drag[0].mean.max(trial.drag[1].mean), "N"),
-        cost(trial.cost.total()),
+        if trial.was_stopped() {
+            // Not to be compared with the J of a plan.
+            format!("({})", cost(trial.cost.total()))
+        } else {
+            cost(trial.cost.total())
+        },
     )
 }

@@ -2,6 +2,7 @@
 
 use super::curve_labels::spread;
 use crate::axis::Ticks;
+use crate::frame;
 use crate::svg::{Rounded, Writer};
 
 /// A chart.
@@ -138,6 +139,40 @@ pub(super) fn draw(w: &mut Writer, chart: &Chart) {
         "svg",
         &[("viewBox", &view), ("role", &"img"), ("aria-label", &label)],
     );
+    inside(w, chart);
+    w.close();
+    if !chart.caption.is_empty() {
+        w.text("figcaption", &[], &chart.caption);
+    }
+    w.close();
+}
+
+/// A chart as a standalone picture in SVG, light or dark as the viewer prefers.
+pub fn chart_svg(chart: &Chart) -> String {
+    const HEAD: f64 = 30.0;
+    let mut w = Writer::default();
+    let styles = [frame::STYLE, crate::page::STYLE, super::page::STYLE];
+    let size = (1.5 * WIDTH, 1.5 * (HEIGHT + HEAD + 24.0));
+    frame::open_picture(&mut w, size.0, size.1, &chart.title, &styles);
+    w.open(
+        "g",
+        &[("class", &"study chart"), ("transform", &"scale(1.5)")],
+    );
+    let title = frame::fit(&chart.title, WIDTH - 20.0, 12.0);
+    w.text("text", &[("x", &"10"), ("y", &"20")], &title);
+    let moved = format!("translate(0 {HEAD})");
+    w.open("g", &[("transform", &moved)]);
+    inside(&mut w, chart);
+    let below = n(HEIGHT + 14.0);
+    w.text(
+        "text",
+        &[("class", &"name"), ("x", &"10"), ("y", &below)],
+        &chart.caption,
+    );
+    w.finish()
+}
+
+fn inside(w: &mut Writer, chart: &Chart) {
     let scale = scale(chart);
     axes(w, chart, &scale);
     for mark in &chart.marks {
@@ -150,11 +185,6 @@ pub(super) fn draw(w: &mut Writer, chart: &Chart) {
         line(w, curve, &scale);
     }
     names(w, chart, &scale);
-    w.close();
-    if !chart.caption.is_empty() {
-        w.text("figcaption", &[], &chart.caption);
-    }
-    w.close();
 }
 
 fn scale(chart: &Chart) -> Scale {

@@ -5,7 +5,7 @@ use crate::page::{STYLE as PAGE, head};
 use crate::svg::Writer;
 
 /// What is particular to this page.
-const STYLE: &str = include_str!("../../assets/study.css");
+pub(super) const STYLE: &str = include_str!("../../assets/study.css");
 
 /// One HTML page without any external resource: all findings first, then the sections.
 pub fn study_html(study: &Study) -> String {

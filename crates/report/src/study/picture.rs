@@ -270,7 +270,7 @@ fn legend(w: &mut Writer, picture: &Picture) {
     if picture.tracks.iter().any(|t| t.stops) {
         w.open("li", &[]);
         w.raw("<svg viewBox=\"0 0 30 10\" width=\"30\" height=\"10\" aria-hidden=\"true\"><path class=\"cross\" d=\"M11 1l8 8m0-8l-8 8\"/></svg>\n");
-        w.text("span", &[], "stopped here");
+        w.text("span", &[], "ends here");
         w.close();
     }
     for wash in picture

@@ -8,18 +8,17 @@ pub(crate) fn obstacle_cost(scene: &Scene, pose: Pose) -> f64 {
     body.circles().iter().map(of_circle).sum()
 }
 
-/// K1 inside an obstacle, plus the potential of every object's circle (radius with margin gamma, that of the robot's circle
-/// unless the scene gives it).
+/// K1 inside an obstacle, plus the potential of every object's circle. Its margin gamma is the radius of the robot's circle,
+/// which is what the constraints keep; a scene's `circle_margin` is about order, centerline and baseline alone.
 fn circle_cost(scene: &Scene, p: Point, radius: f64) -> f64 {
     let k = &scene.planner;
-    let margin = k.circle_margin.unwrap_or(radius);
     let mut cost = if in_obstacle(scene, p) { k.k1 } else { 0.0 };
     for object in &scene.objects {
-        let radius = object.footprint_radius() + margin;
+        let reach = object.footprint_radius() + radius;
         let distance = p.distance(object.position).max(f64::MIN_POSITIVE.sqrt());
         // Exactly on the circle the potential is zero; rounding there must not count.
-        if distance < radius {
-            let steep = 1.0 / distance - 1.0 / radius;
+        if distance < reach {
+            let steep = 1.0 / distance - 1.0 / reach;
             cost += 0.5 * k.k2 * steep * steep;
         }
     }

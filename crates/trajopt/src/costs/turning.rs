@@ -18,11 +18,23 @@ pub struct Turning {
     pub weight: f64,
 }
 
+/// What a radian costs the solver at least: a thousandth of the paper's cost.
+const LEAST_WEIGHT: f64 = 0.01;
+
 impl Turning {
     /// Of a scene.
     pub fn of(p: &PlannerParameters) -> Self {
         Self {
             weight: p.a2 * p.t2,
+        }
+    }
+
+    /// What the solver minimizes: turning costs it a little even where it is free. Else headings where a robot stands are
+    /// undetermined.
+    pub(crate) fn minimized(p: &PlannerParameters) -> Self {
+        let Self { weight } = Self::of(p);
+        Self {
+            weight: weight.max(LEAST_WEIGHT),
         }
     }
 
@@ -64,6 +76,6 @@ impl Rule<StepAt, STEP> for TurnCost {
     }
 
     fn price(self, problem: &Problem, _: f64) -> f64 {
-        2.0 * Turning::of(&problem.planner).weight
+        2.0 * Turning::minimized(&problem.planner).weight
     }
 }

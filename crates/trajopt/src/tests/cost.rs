@@ -151,14 +151,12 @@ fn obstacle_cases() {
             "({x}, {y})"
         );
     }
-    // The potential of an object's circle: K2/2 (1/D - 1/R)^2, R the footprint's radius and the margin.
+    // The potential of an object's circle: K2/2 (1/D - 1/R)^2, R the footprint's radius and the robot's, whatever margin the
+    // circles of order, centerline and baseline have.
     scene.obstacles.clear();
     scene.objects[0].position = Point::new(0.0, 0.0);
-    scene.planner.circle_margin = Some(0.5 - scene.objects[0].footprint_radius());
-    assert_close(at(&scene, 0.4, 0.0), 0.5e7 * (2.5_f64 - 2.0).powi(2));
-    assert_eq!(at(&scene, 0.6, 0.0), 0.0);
-    // Without a margin of its own the robot's radius counts.
-    scene.planner.circle_margin = None;
+    scene.planner.circle_margin = Some(0.4);
+    assert_eq!(at(&scene, 0.3, 0.0), 0.0);
     let radius = scene.objects[0].footprint_radius() + scene.robot.radius;
     assert_close(at(&scene, 0.2, 0.0), 0.5e7 * (5.0 - 1.0 / radius).powi(2));
     scene.planner.a3 = 0.5;
