@@ -82,7 +82,7 @@ pub enum Command {
     /// Drive a plan in physics: net, objects, contacts
     Rehearse(RehearseArguments),
     /// Drive a plan by controllers, in trials with noise, delay and unknown loads
-    Run(RunArguments),
+    Run(Box<RunArguments>),
     /// Compare the control laws over many random plants
     MonteCarlo(MonteCarloArguments),
     /// Write a run for MuJoCo or Gazebo

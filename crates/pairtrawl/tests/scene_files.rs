@@ -105,7 +105,7 @@ fn every_parameter_can_be_set() {
          [net]\nlength = 1.5\nstart = [[0.7, 0.5], [1.0, 0.2], [1.3, 0.5]]\n\
          [planner]\nmax_step = 0.04\nmax_turn = 0.2\nmax_skew = 0.9\nclearance = 0\ncruise = 0.1\nhalf_separation = 0.4\n\
          circle_margin = 0.3\nwaypoints = 99\nalternations = 3\nmin_ratio = 0.2\nrest_ratio = 0.5\nk1 = 1\nk2 = 2\nk3 = 3\n\
-         t1 = 4\nt2 = 5\nkd1 = 6\nkd2 = 7\nb1 = 8\nb2 = 9\nb3 = 10\na1 = 11\na2 = 12\na3 = 13\na4 = 14\nleave = \"unreachable\"\n\
+         t1 = 4\nt2 = 5\nkd1 = 6\nkd2 = 7\nb1 = 8\nb2 = 9\nb3 = 10\na1 = 11\na2 = 12\na3 = 13\na4 = 14\nexpansion_per = \"meter\"\nleave = \"unreachable\"\n\
          [physics]\ngravity = 1.6\nrobot_mass = 2\nrobot_inertia = 0.1\ncenter_of_mass = 0.01\nwheel_radius = 0.04\nmax_torque = 2\n\
          wheel_friction = 0.7\nnet_mass = 0.03\nnet_link = 0.2\nnet_thickness = 0.02\nnet_height = 0.1\nhinge_damping = 0.002\n\
          net_friction = 0.3\nobject_friction = 0.4\ncontact_friction = 0.5\ntension_limit = 20\n"

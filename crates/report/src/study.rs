@@ -6,6 +6,7 @@ mod chart;
 mod curve_labels;
 mod page;
 mod picture;
+mod style;
 
 pub use chart::{Axis, Band, Chart, Curve, Line, Mark, chart_svg};
 pub use page::{section_html, study_html};

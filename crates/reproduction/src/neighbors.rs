@@ -20,6 +20,9 @@ use pairtrawl_route::visiting_order;
 /// Seed of the search.
 const SEED: u64 = 1;
 
+/// A pair of trajectories and its net, m; or why there is none.
+type Found = Result<(PairTrajectory, f64), String>;
+
 /// The chapter.
 pub(crate) fn chapter(lab: &Lab) -> Result<Content, Stopped> {
     let mut content = Content::default();
@@ -56,8 +59,7 @@ pub(crate) fn chapter(lab: &Lab) -> Result<Content, Stopped> {
             ..PlanOptions::default()
         };
         let ours = plan_scene(lab, loaded, &options)?.plan.trajectory;
-        let mut methods: Vec<(&str, Pen, Result<(PairTrajectory, f64), String>)> =
-            vec![("ours", Pen::Driven, Ok((ours, net)))];
+        let mut methods: Vec<(&str, Pen, Found)> = vec![("ours", Pen::Driven, Ok((ours, net)))];
         let free = start.solve(scene, Rule::None, Some(net));
         let solved = |s: crate::solving::Solved| match s.refused {
             None => Ok((s.trajectory, s.net_length)),

@@ -34,6 +34,9 @@ pub struct Case {
     pub model_based_lifted: Trial,
 }
 
+/// One of the drives of a case.
+type DriveOf = fn(&Case) -> &Trial;
+
 /// Plans and drives the simulation for each length, by increasing length.
 ///
 /// # Errors
@@ -362,7 +365,7 @@ fn drive_verdicts(content: &mut Content, cases: &[Case]) {
         times.fold(f64::INFINITY, f64::min)
     };
     let mut evidence = Evidence::default().with("drives", drives, "");
-    let variants: [(&str, fn(&Case) -> &Trial); 2] = [
+    let variants: [(&str, DriveOf); 2] = [
         ("on_the_floor", |c| &c.model_based),
         ("of_a_net_above_the_floor", |c| &c.model_based_lifted),
     ];

@@ -175,7 +175,7 @@ fn curve(name: &str, look: usize, values: &[f64], outcomes: &[Outcome]) -> Curve
             .zip(outcomes)
             .map(|(v, o)| (*v, of(o, 1)))
             .collect(),
-        line: if look % 2 == 0 {
+        line: if look.is_multiple_of(2) {
             Line::Solid
         } else {
             Line::Dashed

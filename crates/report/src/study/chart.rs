@@ -1,6 +1,7 @@
 //! Curves over an axis, each named at its end and told apart by dashes and by the shape of its points.
 
 use super::curve_labels::spread;
+use super::style::STYLE;
 use crate::axis::Ticks;
 use crate::frame;
 use crate::svg::{Rounded, Writer};
@@ -151,7 +152,7 @@ pub(super) fn draw(w: &mut Writer, chart: &Chart) {
 pub fn chart_svg(chart: &Chart) -> String {
     const HEAD: f64 = 30.0;
     let mut w = Writer::default();
-    let styles = [frame::STYLE, crate::page::STYLE, super::page::STYLE];
+    let styles = [frame::STYLE, crate::page::STYLE, STYLE];
     let size = (1.5 * WIDTH, 1.5 * (HEIGHT + HEAD + 24.0));
     frame::open_picture(&mut w, size.0, size.1, &chart.title, &styles);
     w.open(

@@ -1,11 +1,9 @@
+use super::style::STYLE;
 use super::{Block, Finding, Section, Study, Table, Tone, chart, picture};
 use crate::map;
 use crate::page::table::{close_table, open_table_of};
 use crate::page::{STYLE as PAGE, head};
 use crate::svg::Writer;
-
-/// What is particular to this page.
-pub(super) const STYLE: &str = include_str!("../../assets/study.css");
 
 /// One HTML page without any external resource: all findings first, then the sections.
 pub fn study_html(study: &Study) -> String {

@@ -71,7 +71,8 @@ pub(super) fn printed_adaptation(e: &Evidence) -> Outcome {
         e.get("rms_at_16x_nothing"),
     );
     let complete = e.get("complete_at_16x_as_printed") == e.get("drives");
-    if !(printed < nothing) {
+    let better = printed < nothing;
+    if !better {
         return NotShown(
             "the printed law tracks no better than velocity feedback alone".to_owned(),
         );
