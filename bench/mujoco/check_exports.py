@@ -73,6 +73,7 @@ def check_sdf(run):
 
 
 def main():
+    scenarios.build()
     run = scenario()
     return 0 if all([check_mjcf(run), check_sdf(run)]) else 1
 

@@ -72,8 +72,79 @@ def built_in():
     ]
 
 
+def varied():
+    """Twenty short drives: turns of all kinds through clutter, and nets that are caught on a post.
+
+    Everything follows from the number of the drive; cubes stand beside each other's tracks as in `built_in`.
+    """
+    runs = []
+    for i in range(18):
+        bend, wave = 0.05 * (i % 5 - 2), 0.04 * (i % 3)
+        half_gap = 0.3 + 0.02 * (i % 4)
+        places = [
+            (8 + 3 * k, half_gap * (0.62 * ((k * 0.618 + 0.37 * i) % 1.0) - 0.31), 0.015 + 0.01 * ((k + i) % 4))
+            for k in range(4 + i % 6)
+        ]
+        turn = lambda t, bend=bend, wave=wave: bend + wave * math.sin(1.3 * t)
+        runs.append(drive(f"varied {i + 1}", half_gap, 40, turn, places, 1.5 + 0.1 * (i % 5)))
+    for i, offset in enumerate((0.0, 0.05)):
+        # The post passes between the robots and then holds the net.
+        snag = drive(f"snag {i + 1}", 0.36, 24, lambda t: 0.0, [(6, -0.1, 0.025), (8, 0.12, 0.025)], 1.6)
+        snag["scene"]["obstacles"] = [{"circle": [offset, 0.5, 0.04]}]
+        runs.append(snag)
+    return runs
+
+
+def authors(folder):
+    """The trajectories that the paper's authors published (comma-separated: left x, left y, right x, right y), through the cubes of the scenes."""
+    runs = []
+    for name, scene, net_length in (
+        ("experiment_traj.csv", "paper-experiment", 2.0),
+        ("simulation_traj.csv", "authors-simulation", 2.0),
+    ):
+        rows = [[float(x) for x in line.split(",")] for line in (Path(folder) / name).read_text().split()]
+        places = resampled(rows, 0.05)
+        with open(ROOT / "scenes" / scene / "scene.toml", "rb") as file:
+            objects = tomllib.load(file)["objects"]
+        left, right = (with_headings([row[k : k + 2] for row in places]) for k in (0, 2))
+        runs.append({
+            "name": name, "scene": {"obstacles": [], "objects": objects}, "net_length": net_length,
+            "left": left, "right": right, "step_time": STEP_TIME,
+        })
+    return runs
+
+
+def resampled(rows, step):
+    """Rows at which the faster robot has gone another `step`."""
+    kept, gone = [rows[0]], 0.0
+    for before, row in zip(rows, rows[1:]):
+        gone += max(math.dist(before[k : k + 2], row[k : k + 2]) for k in (0, 2))
+        if gone >= step:
+            kept.append(row)
+            gone = 0.0
+    return kept
+
+
+def with_headings(places):
+    """Poses that look along the chord between their neighbors, without jumps of a whole turn."""
+    poses = []
+    for i, (x, y) in enumerate(places):
+        (x0, y0), (x1, y1) = places[max(i - 1, 0)], places[min(i + 1, len(places) - 1)]
+        heading = math.atan2(y1 - y0, x1 - x0) if (x0, y0) != (x1, y1) else poses[-1][2]
+        if poses:
+            heading += math.tau * round((poses[-1][2] - heading) / math.tau)
+        poses.append([x, y, heading])
+    return poses
+
+
+def build():
+    """Builds `examples/drive.rs`."""
+    command = ["cargo", "build", "--quiet", "--release", "-p", "pairtrawl-execution", "--example", "drive"]
+    subprocess.run(command, cwd=ROOT, check=True)
+
+
 def ours(scenario, **extra):
     """What `examples/drive.rs` prints for a run: its record as JSON, or an export."""
-    command = ["cargo", "run", "--quiet", "--release", "-p", "pairtrawl-execution", "--example", "drive"]
+    program = ROOT / "target" / "release" / "examples" / "drive"
     text = json.dumps(scenario | extra)
-    return subprocess.run(command, input=text, capture_output=True, text=True, cwd=ROOT, check=True).stdout
+    return subprocess.run([program], input=text, capture_output=True, text=True, cwd=ROOT, check=True).stdout

@@ -1,16 +1,17 @@
 """The rehearsal's physics beside MuJoCo on the same runs.
 
     pip install mujoco numpy
-    python bench/mujoco/side_by_side.py [SCENE.toml PLAN.json ...]
+    python bench/mujoco/side_by_side.py [--varied] [--authors FOLDER] [SCENE.toml PLAN.json ...]
 
-Without arguments: a straight drive, a turn, clutter and two whole runs; with pairs of files: these plans.
+Without arguments: a straight drive, a turn, clutter and two whole runs; `--varied`: twenty short drives with turns, clutter and
+snags; `--authors`: the trajectories that the paper's authors published, from a folder; with pairs of files: these plans.
 
 Where a cube rides on another it may slip off or stay, and a millimeter at the start decides it, in every engine. Our run is
 therefore repeated with all cubes moved by at most 2 mm, and MuJoCo's one run is compared with the run of ours that ends
 nearest to it (run 0 is the one with no cube moved). Prints, per run, mean drive force of both robots, distance of the cubes'
 ends (median and greatest), the same from MuJoCo's run to our run 0, the spread of our runs (median and greatest distance from
 run 0), cubes gathered and simulated seconds per second, and fails when the force differs by more than 1 %, the median by more
-than 5 mm or the counts at all.
+than 10 mm or the counts at all.
 """
 
 import copy
@@ -24,7 +25,7 @@ import model
 import scenarios
 from scenarios import ours
 
-FORCE, PLACE = 0.01, 0.005
+FORCE, PLACE = 0.01, 0.010
 # So many runs of ours with moved cubes, and how far each is moved at most along either axis, m.
 MOVED_RUNS, MOVED = 12, 0.002
 
@@ -62,6 +63,13 @@ def distances(one, other):
 def main():
     files = sys.argv[1:]
     runs = [] if files else scenarios.built_in()
+    scenarios.build()
+    if files[:1] == ["--varied"]:
+        files = files[1:]
+        runs += scenarios.varied()
+    if files[:1] == ["--authors"]:
+        runs += scenarios.authors(files[1])
+        files = files[2:]
     for scene, plan in zip(files[::2], files[1::2]):
         runs.append(scenarios.from_plan(Path(scene).parent.name, scene, plan))
     failed = False

@@ -27,7 +27,7 @@ pub use demo::DemoArguments;
 pub use export::ExportArguments;
 pub use generate::{GenerateArguments, Kind};
 pub use length::LengthArguments;
-pub use monte_carlo::MonteCarloArguments;
+pub use monte_carlo::{MonteCarloArguments, PlantsArgument};
 pub use new::NewArguments;
 pub use plan::PlanArguments;
 pub use planning::{Order, PlanningArguments};

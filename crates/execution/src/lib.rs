@@ -2,7 +2,8 @@
 //!
 //! - [`PairController`] keeps two robots on a reference: measurements in, commands out. It knows no simulation.
 //! - [`rehearse`] drives a reference closely in physics and says whether the plan is at fault for anything.
-//! - [`drive_trials`] lets controllers with sensors drive it in physics, several times; [`monte_carlo`] on reduced plants.
+//! - [`drive_trials`] lets controllers with sensors drive it in physics, several times; [`monte_carlo`]
+//!   many times, there or on reduced plants.
 //!
 //! Nothing here reads a file or a clock: the caller brings the clock ([`Host`]), and seeds come in as options. Results depend on
 //! their inputs alone, not on the number of threads, but for [`pairtrawl_model::Trial::seconds`].
@@ -10,6 +11,7 @@
 mod collector;
 mod control_loop;
 mod error;
+mod full_run;
 mod law_options;
 mod monte_carlo;
 mod observer;
@@ -29,7 +31,9 @@ mod wheel_speed;
 pub use control_loop::{PairLoop, Truth};
 pub use error::ExecutionError;
 pub use law_options::{AdaptedParts, LawOptions};
-pub use monte_carlo::{GrowingDrag, MonteCarlo, MonteCarloOptions, MonteCarloRow, monte_carlo};
+pub use monte_carlo::{
+    GrowingDrag, MonteCarlo, MonteCarloOptions, MonteCarloRow, Plants, monte_carlo,
+};
 pub use observer::ExecutionObserver;
 pub use options::{ExecutionOptions, NominalInertia, controller_parameters};
 pub use pair_controller::{Command, Measurement, PairController, PairStop, PoseFix};

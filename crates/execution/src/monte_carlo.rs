@@ -1,29 +1,47 @@
-//! Many runs on reduced plants with everything unknown drawn at random: which law keeps the pair on its path?
+//! Many runs with everything unknown drawn at random, in full physics or on reduced plants: which law keeps the pair on its path?
 
+use crate::full_run::FullRun;
 use crate::observer::ExecutionObserver;
 use crate::options::controller_parameters;
 use crate::plant::{Drag, PlantParameters};
-use crate::reduced_run::{ReducedOutcome, ReducedRun};
+use crate::reduced_run::ReducedRun;
 use crate::sensing::{Normal, Sensing};
-use crate::statistics::{mixed_seed, quantile};
+use crate::statistics::{mixed_seed, quantile, settled_max, settled_rms};
 use crate::{ExecutionError, NominalInertia};
 use pairtrawl_control::SupervisorLimits;
-use pairtrawl_model::{ControllerKind, PairTrajectory, Scene};
+use pairtrawl_model::{ControllerKind, PairTrajectory, Scene, TrackingStatistics};
 use pairtrawl_parallel::prelude::*;
 use pairtrawl_reference::Reference;
+
+/// What the laws drive.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub enum Plants {
+    /// Each robot alone, under a drag that grows in eight steps and swings.
+    #[default]
+    Reduced,
+    /// Both robots, the net and the objects in physics. What is drawn as drag is what sliding all objects takes.
+    Full {
+        /// d_max, m.
+        net_length: f64,
+        /// Steps are those of the torque loop (2 ms) at most.
+        physics: pairtrawl_simulation::Options,
+    },
+}
 
 /// What is drawn, each evenly between two bounds.
 #[derive(Clone, Debug, PartialEq)]
 pub struct MonteCarloOptions {
+    /// What the laws drive.
+    pub plants: Plants,
     /// Runs for each law; all laws see the same runs.
     pub runs: usize,
     /// Seed of everything drawn.
     pub seed: u64,
-    /// Robot mass over the nominal one.
+    /// Robot mass over the nominal one; in full physics both robots have the same.
     pub mass_factor: [f64; 2],
     /// Robot inertia over that of its model file.
     pub inertia_factor: [f64; 2],
-    /// Drag at the end of the run, N; it grows in eight steps and turns by up to 60 degrees.
+    /// Drag of a robot at the end of the run, N; on reduced plants it grows in eight steps and turns by up to 60 degrees.
     pub drag: [f64; 2],
     /// Standard deviation of positions, m.
     pub position_noise: f64,
@@ -44,6 +62,7 @@ pub struct MonteCarloOptions {
 impl Default for MonteCarloOptions {
     fn default() -> Self {
         Self {
+            plants: Plants::Reduced,
             runs: 1000,
             seed: 1,
             mass_factor: [0.5, 3.0],
@@ -71,7 +90,8 @@ pub struct MonteCarloRow {
     pub successes: usize,
     /// Of these, how many the supervisor stopped.
     pub stopped: usize,
-    /// Runs that did not succeed and asked a wheel for more force than its tire can pass to the floor: no law could.
+    /// Runs that did not succeed and asked a wheel (in full physics: a robot) for more force than its tires can pass to the floor:
+    /// no law could.
     pub failures_beyond_traction: usize,
     /// 50, 90 and 99 % quantiles of a run's root mean square error, m, after the first second and until the end or the stop.
     pub rms: [f64; 3],
@@ -79,6 +99,8 @@ pub struct MonteCarloRow {
     pub max: [f64; 3],
     /// Greatest torque of a wheel in any run, N m.
     pub max_torque: f64,
+    /// In full physics: mean number of objects in the net at the end of a run, those that the plan leaves not counted.
+    pub gathered: Option<f64>,
 }
 
 /// The table.
@@ -105,6 +127,20 @@ pub fn monte_carlo(
     observer: &dyn ExecutionObserver,
 ) -> Result<MonteCarlo, ExecutionError> {
     let reference = Reference::of_scene(scene, trajectory)?;
+    let full = match options.plants {
+        Plants::Reduced => None,
+        Plants::Full {
+            net_length,
+            physics,
+        } => Some(FullRun {
+            scene,
+            trajectory,
+            reference: &reference,
+            net_length,
+            physics,
+            options,
+        }),
+    };
     let mut rows = Vec::new();
     for (row, &controller) in options.controllers.iter().enumerate() {
         let outcomes = (0..options.runs)
@@ -113,17 +149,21 @@ pub fn monte_carlo(
                 if observer.interrupted() {
                     return Ok(None);
                 }
-                let outcome =
-                    one_run(scene, &reference, options, controller, run as u64, observer)?;
+                let outcome = match &full {
+                    Some(full) => full.drive(controller, run as u64, observer)?,
+                    None => one_run(scene, &reference, options, controller, run as u64, observer)?,
+                };
                 if outcome.is_some() {
                     observer.finished(row * options.runs + run);
                 }
                 Ok(outcome)
             })
             .collect::<Result<Vec<_>, ExecutionError>>()?;
-        let finished: Vec<Run> = outcomes.into_iter().flatten().collect();
+        let finished: Vec<Outcome> = outcomes.into_iter().flatten().collect();
         if !finished.is_empty() {
-            rows.push(summarize(controller, &finished, options.tolerance));
+            let mut row = summarize(controller, &finished, options.tolerance);
+            row.gathered = row.gathered.filter(|_| full.is_some());
+            rows.push(row);
         }
     }
     let runs = rows.iter().map(|row: &MonteCarloRow| row.runs).sum();
@@ -136,10 +176,30 @@ pub fn monte_carlo(
     })
 }
 
-/// What came of a run, and whether its drag was more than the tires could bear.
-struct Run {
-    outcome: ReducedOutcome,
-    beyond_traction: bool,
+/// What came of a run.
+pub(crate) struct Outcome {
+    /// Position error of each robot.
+    pub(crate) tracking: [TrackingStatistics; 2],
+    /// The supervisor stopped the pair.
+    pub(crate) stopped: bool,
+    /// Greatest torque of a wheel, N m.
+    pub(crate) max_torque: f64,
+    /// Its drag was more than the tires could bear.
+    pub(crate) beyond_traction: bool,
+    /// Objects in the net at the end, where there are any.
+    pub(crate) gathered: usize,
+}
+
+impl Outcome {
+    /// Greatest position error of either robot after the first second, m.
+    fn worst(&self) -> f64 {
+        settled_max(&self.tracking)
+    }
+
+    /// Root mean square error of both robots after the first second, m.
+    fn rms(&self) -> f64 {
+        settled_rms(&self.tracking)
+    }
 }
 
 fn one_run(
@@ -149,7 +209,7 @@ fn one_run(
     kind: ControllerKind,
     run: u64,
     observer: &dyn ExecutionObserver,
-) -> Result<Option<Run>, ExecutionError> {
+) -> Result<Option<Outcome>, ExecutionError> {
     // Drawn from the run's own seed, so that every law meets the same conditions.
     let seed = mixed_seed(options.seed, run);
     let mut draw = Normal::new(seed);
@@ -187,9 +247,12 @@ fn one_run(
     };
     let beyond_traction = (plants.iter().zip(&drags))
         .any(|(plant, drag)| drag.greatest_wheel_force(plant) > plant.traction);
-    Ok(run.drive(observer)?.map(|outcome| Run {
-        outcome,
+    Ok(run.drive(observer)?.map(|outcome| Outcome {
+        tracking: outcome.tracking,
+        stopped: outcome.stopped.is_some(),
+        max_torque: outcome.max_torque,
         beyond_traction,
+        gathered: 0,
     }))
 }
 
@@ -243,26 +306,24 @@ impl GrowingDrag {
     }
 }
 
-fn summarize(controller: ControllerKind, runs: &[Run], tolerance: f64) -> MonteCarloRow {
-    let succeeds = |r: &Run| r.outcome.stopped.is_none() && r.outcome.worst() <= tolerance;
-    let quantiles = |value: &dyn Fn(&ReducedOutcome) -> f64| {
-        let mut values: Vec<f64> = runs.iter().map(|r| value(&r.outcome)).collect();
+fn summarize(controller: ControllerKind, runs: &[Outcome], tolerance: f64) -> MonteCarloRow {
+    let succeeds = |r: &Outcome| !r.stopped && r.worst() <= tolerance;
+    let quantiles = |value: &dyn Fn(&Outcome) -> f64| {
+        let mut values: Vec<f64> = runs.iter().map(value).collect();
         [0.5, 0.9, 0.99].map(|q| quantile(&mut values, q))
     };
     MonteCarloRow {
         controller,
         runs: runs.len(),
         successes: runs.iter().filter(|r| succeeds(r)).count(),
-        stopped: runs.iter().filter(|r| r.outcome.stopped.is_some()).count(),
+        stopped: runs.iter().filter(|r| r.stopped).count(),
         failures_beyond_traction: runs
             .iter()
             .filter(|r| !succeeds(r) && r.beyond_traction)
             .count(),
-        rms: quantiles(&ReducedOutcome::rms),
-        max: quantiles(&ReducedOutcome::worst),
-        max_torque: runs
-            .iter()
-            .map(|r| r.outcome.max_torque)
-            .fold(0.0, f64::max),
+        rms: quantiles(&Outcome::rms),
+        max: quantiles(&Outcome::worst),
+        max_torque: runs.iter().map(|r| r.max_torque).fold(0.0, f64::max),
+        gathered: Some(runs.iter().map(|r| r.gathered as f64).sum::<f64>() / runs.len() as f64),
     }
 }

@@ -6,7 +6,7 @@ use crate::pair_controller::PairStop;
 use crate::plant::{Drag, PlantParameters, ReducedPlant};
 use crate::sample::control_sample;
 use crate::sensing::{Sensing, TORQUE_PERIOD, TRACKER_TICKS};
-use crate::statistics::ErrorCollector;
+use crate::statistics::{ErrorCollector, settled_max, settled_rms};
 use pairtrawl_control::{
     AdaptedParameters, ControllerParameters, ParameterError, SupervisorLimits,
 };
@@ -47,15 +47,12 @@ pub struct ReducedOutcome {
 impl ReducedOutcome {
     /// Greatest position error of either robot after the first second, m.
     pub fn worst(&self) -> f64 {
-        self.tracking[0]
-            .settled_max
-            .max(self.tracking[1].settled_max)
+        settled_max(&self.tracking)
     }
 
     /// Root mean square error of both robots after the first second, m.
     pub fn rms(&self) -> f64 {
-        let [a, b] = self.tracking.map(|t| t.settled_rms * t.settled_rms);
-        (0.5 * (a + b)).sqrt()
+        settled_rms(&self.tracking)
     }
 }
 

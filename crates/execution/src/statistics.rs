@@ -3,6 +3,16 @@ use pairtrawl_model::TrackingStatistics;
 /// Errors in the first second are those of starting.
 const SETTLING: f64 = 1.0;
 
+/// Greatest position error of either robot after the first second, m.
+pub(crate) fn settled_max([a, b]: &[TrackingStatistics; 2]) -> f64 {
+    a.settled_max.max(b.settled_max)
+}
+
+/// Root mean square position error of both robots after the first second, m.
+pub(crate) fn settled_rms([a, b]: &[TrackingStatistics; 2]) -> f64 {
+    (0.5 * (a.settled_rms * a.settled_rms + b.settled_rms * b.settled_rms)).sqrt()
+}
+
 /// Collects a robot's position error.
 #[derive(Clone, Copy, Debug, Default)]
 pub struct ErrorCollector {

@@ -32,6 +32,20 @@ pub fn execute(
     execute_trajectory(scene, plan.net_length, &plan.trajectory, options, observer)
 }
 
+/// Compares the control laws over many random runs of a plan: [`monte_carlo`] in the scene as the plan leaves it.
+///
+/// # Errors
+/// When the trajectory or an option cannot be used.
+pub fn compare_laws(
+    scene: &Scene,
+    plan: &Plan,
+    options: &MonteCarloOptions,
+    observer: &dyn ExecutionObserver,
+) -> Result<MonteCarlo, ExecutionError> {
+    let scene = &*without_left(scene, &plan.left_out);
+    monte_carlo(scene, &plan.trajectory, options, observer)
+}
+
 /// As [`execute`], for a net length (m) and a trajectory from anywhere.
 ///
 /// # Errors

@@ -9,7 +9,7 @@ mod drive;
 
 use pairtrawl::execute::{
     Drag, ExecutionObserver, ExecutionOptions, MonteCarloOptions, NominalInertia, PlantParameters,
-    ReducedRun, Sensing, controller_parameters, execute_trajectory, monte_carlo, recording,
+    Plants, ReducedRun, Sensing, controller_parameters, execute_trajectory, monte_carlo, recording,
 };
 use pairtrawl::files::execution_json;
 use pairtrawl::model::{ControllerKind, Execution, ExecutionEventKind, SceneReference};
@@ -234,6 +234,40 @@ fn every_law_meets_the_same_random_runs() {
     );
     assert!(row(ControllerKind::ModelBased).max[0] > 2.0 * row(ControllerKind::Mrac).max[0]);
     assert_eq!(monte_carlo(&scene, &t, &options, &()).unwrap(), table);
+}
+
+#[test]
+fn every_law_meets_the_same_random_runs_in_full_physics() {
+    let t = drive::trajectory();
+    let scene = drive::scene(&t);
+    let options = MonteCarloOptions {
+        plants: Plants::Full {
+            net_length: drive::NET,
+            physics: pairtrawl::simulation::Options::default(),
+        },
+        runs: 6,
+        ..MonteCarloOptions::default()
+    };
+    let table = monte_carlo(&scene, &t, &options, &()).unwrap();
+    assert!(!table.interrupted);
+    let row = |kind| table.rows.iter().find(|r| r.controller == kind).unwrap();
+    let (adaptive, model_based) = (row(ControllerKind::Mrac), row(ControllerKind::ModelBased));
+    assert!(adaptive.successes > model_based.successes, "{table:?}");
+    // Runs that stay on their path bring home what lies on it.
+    let all = scene.objects.len() as f64;
+    assert!(adaptive.gathered.unwrap() > 0.9 * all, "{adaptive:?}");
+    assert!(
+        adaptive.max[0] < 0.1 && adaptive.rms[0] > 0.0,
+        "{adaptive:?}"
+    );
+    let one = rayon::ThreadPoolBuilder::new()
+        .num_threads(1)
+        .build()
+        .unwrap();
+    assert_eq!(
+        one.install(|| monte_carlo(&scene, &t, &options, &()).unwrap()),
+        table
+    );
 }
 
 #[test]

@@ -1,6 +1,6 @@
 use super::given_plan::{given_plan, unproven};
 use super::with_scene;
-use crate::arguments::MonteCarloArguments;
+use crate::arguments::{MonteCarloArguments, PlantsArgument};
 use crate::exit::Exit;
 use crate::failure::Failure;
 use crate::interrupt;
@@ -8,10 +8,11 @@ use crate::objects::LeftOutObject;
 use crate::output::{Done, Report, to_json};
 use crate::results::{Results, in_folder};
 use crate::trials::Trials;
-use pairtrawl::execute::{MonteCarlo, MonteCarloOptions, MonteCarloRow};
+use pairtrawl::execute::{MonteCarlo, MonteCarloOptions, MonteCarloRow, Plants};
 use pairtrawl::files::LoadedScene;
 use pairtrawl::model::numbers::{length, lengths, quantity};
 use pairtrawl::model::{ControllerKind, LeftOut};
+use pairtrawl::simulation::Options as SimulationOptions;
 use schemars::JsonSchema;
 use serde::Serialize;
 use std::fmt::Write;
@@ -22,6 +23,9 @@ pub struct MonteCarloReport {
     /// Name of the scene.
     #[serde(skip_serializing_if = "Option::is_none")]
     scene: Option<String>,
+    /// What the laws drove: `full` (robots, net and objects in physics) or `reduced` (each robot alone, under a drag).
+    #[schemars(extend("enum" = ["full", "reduced"]))]
+    physics: &'static str,
     /// Drives for each law.
     runs: usize,
     /// Seed of everything that is random.
@@ -54,6 +58,9 @@ struct RowObject {
     max: QuantilesObject,
     /// Greatest torque of a wheel in any drive, N m.
     max_torque: f64,
+    /// Mean number of objects in the net at the end of a drive; in full physics only.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    gathered: Option<f64>,
 }
 
 /// Quantiles over the drives.
@@ -86,7 +93,15 @@ fn monte_carlo_in(
     results: Option<&Results<'_>>,
 ) -> Result<Done, Failure> {
     let plan = given_plan(loaded, arguments.plan.as_deref())?;
+    let plants = match arguments.physics {
+        PlantsArgument::Full => Plants::Full {
+            net_length: plan.net_length,
+            physics: SimulationOptions::default(),
+        },
+        PlantsArgument::Reduced => Plants::Reduced,
+    };
     let options = MonteCarloOptions {
+        plants,
         runs: arguments.runs as usize,
         seed: arguments.seed,
         delayed_velocity: arguments.delayed_velocity,
@@ -94,7 +109,7 @@ fn monte_carlo_in(
     };
     let trials = Trials::new(options.runs * options.controllers.len(), "driving");
     let table = interrupt::gracefully(|| {
-        pairtrawl::execute::monte_carlo(&loaded.scene, &plan.trajectory, &options, &trials)
+        pairtrawl::execute::compare_laws(&loaded.scene, &plan, &options, &trials)
     });
     trials.finish();
     let mut table = table.map_err(|error| Failure::new(Exit::BadInput, error.to_string()))?;
@@ -130,9 +145,10 @@ fn monte_carlo_in(
 
 fn table_text(table: &MonteCarlo, options: &MonteCarloOptions) -> String {
     let mut text = String::new();
+    let full = matches!(options.plants, Plants::Full { .. });
     let _ = writeln!(
         text,
-        "{}{} runs for each law, success within {}",
+        "{}{} runs for each law {}, success within {}",
         if table.interrupted {
             format!(
                 "INTERRUPTED after {} of {} runs: ",
@@ -142,6 +158,10 @@ fn table_text(table: &MonteCarlo, options: &MonteCarloOptions) -> String {
             String::new()
         },
         options.runs,
+        match options.plants {
+            Plants::Full { .. } => "in full physics",
+            Plants::Reduced => "on reduced plants",
+        },
         length(options.tolerance),
     );
     if table.rows.is_empty() {
@@ -150,27 +170,29 @@ fn table_text(table: &MonteCarlo, options: &MonteCarloOptions) -> String {
     }
     let _ = writeln!(
         text,
-        "  {:<12} {:>8} {:>9} {:>8}   {:<26}   {:<26} {:>12}",
+        "  {:<12} {:>8} {:>9} {:>8}   {:<26}   {:<26} {:>12}{}",
         "law",
         "runs",
         "success",
         "stopped",
         "rms error p50 / 90 / 99 %",
         "max error p50 / 90 / 99 %",
-        "most torque"
+        "most torque",
+        if full { "  in the net" } else { "" },
     );
     for row in &table.rows {
         let rate = 100.0 * row.successes as f64 / row.runs as f64;
         let _ = writeln!(
             text,
-            "  {:<12} {:>8} {:>7.1} % {:>8}   {:<26}   {:<26} {:>12}",
+            "  {:<12} {:>8} {:>7.1} % {:>8}   {:<26}   {:<26} {:>12}{}",
             row.controller.name(),
             row.runs,
             rate,
             row.stopped,
             lengths(&row.rms),
             lengths(&row.max),
-            quantity(row.max_torque, "N m")
+            quantity(row.max_torque, "N m"),
+            (row.gathered).map_or_else(String::new, |objects| format!("{objects:>12.1}")),
         );
     }
     text
@@ -179,6 +201,10 @@ fn table_text(table: &MonteCarlo, options: &MonteCarloOptions) -> String {
 fn report(table: &MonteCarlo, options: &MonteCarloOptions, left: &[LeftOut]) -> MonteCarloReport {
     MonteCarloReport {
         scene: None,
+        physics: match options.plants {
+            Plants::Full { .. } => PlantsArgument::Full.name(),
+            Plants::Reduced => PlantsArgument::Reduced.name(),
+        },
         runs: options.runs,
         seed: options.seed,
         tolerance: options.tolerance,
@@ -198,5 +224,6 @@ fn row(row: &MonteCarloRow) -> RowObject {
         rms: quantiles(row.rms),
         max: quantiles(row.max),
         max_torque: row.max_torque,
+        gathered: row.gathered,
     }
 }
