@@ -1,7 +1,8 @@
 //! A run of the Monte-Carlo table in full physics: robots, net and objects.
 
-use crate::monte_carlo::{MonteCarloOptions, Outcome};
+use crate::monte_carlo_options::MonteCarloOptions;
 use crate::observer::ExecutionObserver;
+use crate::outcome::Outcome;
 use crate::statistics::mixed_seed;
 use crate::{ExecutionError, ExecutionOptions, Host, Normal, Sensing, Task, trial};
 use pairtrawl_model::{ControllerKind, Cost, ExecutionEventKind, PairTrajectory, Scene};

@@ -14,8 +14,10 @@ mod error;
 mod full_run;
 mod law_options;
 mod monte_carlo;
+mod monte_carlo_options;
 mod observer;
 mod options;
+mod outcome;
 mod pair_controller;
 mod plant;
 mod reduced_run;
@@ -31,9 +33,8 @@ mod wheel_speed;
 pub use control_loop::{PairLoop, Truth};
 pub use error::ExecutionError;
 pub use law_options::{AdaptedParts, LawOptions};
-pub use monte_carlo::{
-    GrowingDrag, MonteCarlo, MonteCarloOptions, MonteCarloRow, Plants, monte_carlo,
-};
+pub use monte_carlo::{GrowingDrag, MonteCarlo, MonteCarloRow, monte_carlo};
+pub use monte_carlo_options::{MonteCarloOptions, Plants};
 pub use observer::ExecutionObserver;
 pub use options::{ExecutionOptions, NominalInertia, controller_parameters};
 pub use pair_controller::{Command, Measurement, PairController, PairStop, PoseFix};

@@ -8,37 +8,18 @@ use crate::anchor::{Anchor, PairAt, PointAt, StepAt};
 use crate::block::Block;
 use crate::costs;
 use crate::costs::distance::Distance;
+use crate::curvature::Curvature;
 use crate::iterate::{Iterate, STAGE};
 use crate::local::Local;
 use crate::problem::Problem;
 use crate::rule::Rules;
 use crate::step::{Coordinate, Step};
 use crate::system::{StepDerivatives, System};
-use crate::term::{Jet, Term};
+use crate::term::Term;
 use pairtrawl_model::Side;
 
 /// Dual regularization of the equalities.
 pub(crate) const DUAL_REGULARIZATION: f64 = 1e-9;
-
-/// Which second derivatives the matrix gets.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(crate) enum Curvature {
-    /// Those that are convex: every step goes downhill, from wherever.
-    Convex,
-    /// Those of the Lagrangian: near an optimum Newton's steps then converge quadratically.
-    Exact,
-}
-
-impl Curvature {
-    /// A cost with its second derivatives.
-    #[inline]
-    fn of<const K: usize>(self, cost: &dyn Term<K>, z: &[f64; K]) -> Jet<K> {
-        match self {
-            Self::Convex => cost.convex_jet(z),
-            Self::Exact => cost.jet(z),
-        }
-    }
-}
 
 impl System {
     /// Evaluates all derivatives at an iterate; rows remember the values and gradients of their constraints.

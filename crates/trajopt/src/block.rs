@@ -1,13 +1,12 @@
 //! All rows of one anchor: the interior point treats them alike, whatever they say.
 
 use crate::anchor::Anchor;
-use crate::assembly::Curvature;
+use crate::curvature::Curvature;
 use crate::iterate::Iterate;
 use crate::local::Local;
-use crate::look_up::Beginning;
 use crate::merit::Merit;
 use crate::problem::Problem;
-use crate::row::Row;
+use crate::row::{Beginning, Row};
 use crate::rule::Rules;
 use crate::step::Step;
 use std::ops::Range;

@@ -2,9 +2,9 @@
 //! condensed banded system.
 
 use crate::iterate::{Iterate, STAGE};
-use crate::look_up::Beginning;
 use crate::polish::{self, Polish};
 use crate::problem::Problem;
+use crate::row::Beginning;
 use crate::settings::Settings;
 use crate::shortfalls::shortfalls;
 use crate::state::State;

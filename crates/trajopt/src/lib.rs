@@ -27,6 +27,7 @@ mod constraints;
 mod cost;
 mod costs;
 mod crossings;
+mod curvature;
 mod filter;
 mod interior_point;
 mod iterate;

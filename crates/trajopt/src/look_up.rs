@@ -6,17 +6,11 @@ use crate::block::Block;
 use crate::crossings::refresh_crossings;
 use crate::iterate::Iterate;
 use crate::problem::Problem;
+use crate::row::Beginning;
 use crate::rule::Rules;
 use crate::sight::Sight;
 use crate::step::{Coordinate, Step};
 use pairtrawl_model::Side;
-
-/// How rows begin: on the central path of `mu`, most at a price of `elastic` for a unit of violation.
-#[derive(Clone, Copy, Debug)]
-pub(crate) struct Beginning {
-    pub elastic: f64,
-    pub mu: f64,
-}
 
 impl ActiveSet {
     /// The rows of a problem around an iterate.

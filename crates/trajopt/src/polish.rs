@@ -1,6 +1,6 @@
 //! The last digits: Newton steps with the exact second derivatives, once a problem counts as solved.
 
-use crate::assembly::Curvature;
+use crate::curvature::Curvature;
 use crate::settings::Settings;
 use crate::state::State;
 use crate::workspace::Workspace;

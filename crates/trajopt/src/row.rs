@@ -16,6 +16,13 @@ const RAISE: f64 = 4.0;
 /// Least slack of a row at a start that is presumed to be nearly optimal, m or rad.
 const LEAST_SLACK: f64 = 1e-5;
 
+/// How rows begin: on the central path of `mu`, most at a price of `elastic` for a unit of violation.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct Beginning {
+    pub elastic: f64,
+    pub mu: f64,
+}
+
 /// The longest step, at most 1, in which a positive value does not lose more than its share.
 #[inline]
 fn longest_step(value: f64, change: f64) -> f64 {

@@ -2,9 +2,9 @@
 
 use crate::active::ActiveSet;
 use crate::iterate::Iterate;
-use crate::look_up::Beginning;
 use crate::merit::{Merit, Residuals};
 use crate::problem::Problem;
+use crate::row::Beginning;
 use crate::settings::Settings;
 
 /// A point with its multipliers.

@@ -2,9 +2,9 @@
 
 use super::case::{Case, shaken};
 use crate::anchor::Anchor;
-use crate::assembly::Curvature;
 use crate::constraints::body_distance::{BodyOffObject, BodyOffObstacle};
 use crate::constraints::{BodyRules, PairRules};
+use crate::curvature::Curvature;
 use crate::iterate::{Iterate, STAGE};
 use crate::problem::Problem;
 use crate::state::State;

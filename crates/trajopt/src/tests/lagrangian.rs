@@ -2,11 +2,11 @@
 
 use super::case::{Case, shaken};
 use crate::anchor::Anchor;
-use crate::assembly::Curvature;
 use crate::constraints::half_plane::Border;
 use crate::constraints::point_distance::{OffObject, OffObstacle};
 use crate::constraints::quad_distance::QuadDistance;
 use crate::constraints::{LineRules, PairRules, PointRules};
+use crate::curvature::Curvature;
 use crate::iterate::{Iterate, STAGE};
 use crate::pieces::Piece;
 use crate::row::Row;

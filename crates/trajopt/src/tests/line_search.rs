@@ -1,7 +1,7 @@
 //! Moving along a direction.
 
 use super::case::{Case, shaken};
-use crate::assembly::Curvature;
+use crate::curvature::Curvature;
 use crate::row::Row;
 use crate::workspace::Workspace;
 

@@ -6,7 +6,7 @@ use crate::anchor::Anchor;
 use crate::block::Item;
 use crate::constraints::{LineRules, PointRules};
 use crate::iterate::Iterate;
-use crate::look_up::Beginning;
+use crate::row::Beginning;
 use crate::term::QUAD;
 use crate::tier::Tier;
 use pairtrawl_geometry::{Convex, Hull, Point, Polygon};

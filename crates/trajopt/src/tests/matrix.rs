@@ -3,9 +3,10 @@
 use super::between;
 use super::case::{Case, shaken};
 use crate::anchor::{Anchor, LineAt};
-use crate::assembly::{Curvature, DUAL_REGULARIZATION};
+use crate::assembly::DUAL_REGULARIZATION;
 use crate::block::Block;
 use crate::costs::expansion::Expansion;
+use crate::curvature::Curvature;
 use crate::iterate::{Direction, STAGE};
 use crate::local::Local;
 use crate::newton::Newton;

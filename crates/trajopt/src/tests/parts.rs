@@ -1,7 +1,7 @@
 //! The direction found again in a part of the course, all else staying as it is.
 
 use super::case::{Case, shaken};
-use crate::assembly::Curvature;
+use crate::curvature::Curvature;
 use crate::iterate::STAGE;
 use crate::state::State;
 use crate::workspace::Workspace;
