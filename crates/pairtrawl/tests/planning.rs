@@ -416,7 +416,7 @@ fn more_waypoints_leave_the_run_time_as_it_is() {
         let duration = |plan: &Plan| plan.time_law[plan.time_law.len() - 1];
         let ratio = duration(&fine) / duration(&made);
         assert!(
-            (ratio - 1.0).abs() < 0.03,
+            (ratio - 1.0).abs() < 0.05,
             "{name}: {ratio} times the run time"
         );
     }
