@@ -5,6 +5,7 @@
 //! are those of a machine of the paper's size.
 
 mod bounding_circle;
+mod bridges;
 mod circles;
 mod distance_transform;
 mod error;
@@ -43,7 +44,8 @@ pub struct World {
     /// Circles of close objects merged; for order, centerline and baseline.
     pub circles: Vec<Circle>,
     /// Convex pieces whose union has the boundary of all obstacles and contains no free point; deep inside of a ROS map's
-    /// blocked regions it may have holes.
+    /// blocked regions it may have holes. From objects that are left, bridges lead to obstacles so near that no robot passes
+    /// between.
     pub pieces: Vec<Convex>,
     sampled: lattice::Sampled,
     /// Places that the route keeps away from, since an attempt got stuck there. Neither optimizer nor certificate knows them.
@@ -66,7 +68,8 @@ impl World {
     /// When the grid would be too large, a size is not positive, a coordinate is not finite, or a polygon is flat.
     pub fn new(scene: &Scene, net_length: Option<f64>) -> Result<Self, WorldError> {
         check(scene, net_length)?;
-        let pieces = pieces::convex_cover(scene)?;
+        let mut pieces = pieces::convex_cover(scene)?;
+        pieces.extend(bridges::bridges(scene, &pieces));
         let (grid, owners) = OccupancyGrid::new(scene, &pieces)?;
         let field = DistanceField::new(&grid, &owners, &pieces);
         Ok(Self {
